@@ -1,0 +1,268 @@
+"""The one loop over time: `happenings` unfolds events, `evolve` folds them (assignment 1.6).
+
+`happenings` yields each event with the world just after it and returns the world at the end. Whatever watches a
+world, a game, a recorder, a debugger, a test, iterates over it; there are no callbacks and no second loop.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Iterable
+from typing import Any
+
+from attrs import field, frozen
+
+from fasteroids import models, rules
+from fasteroids._raw import raw
+from fasteroids.actions import Action
+from fasteroids.engine import TICK, WALLS, Due, Engine, give, take
+from fasteroids.entities import Entity
+from fasteroids.moments import Clock, advanced, clock_at, seconds
+from fasteroids.overlap import own_bullet
+from fasteroids.physics import NEVER, wall_time
+from fasteroids.state import Flight, World, describe, replaced
+from fasteroids.units import ModelError
+
+__all__ = [
+    "Happened",
+    "act",
+    "bounce",
+    "evolve",
+    "evolve_until",
+    "happenings",
+    "storm_limit",
+    "time_to_contact",
+    "time_to_wall",
+]
+
+
+@frozen(weakref_slot=False)
+class Happened:
+    """One physical event with all its consequences.
+
+    `time` in s; `kind` one of contact, wall, limit, tick; `entities` the ids that took part, ascending; `wall`
+    the side met (left, right, bottom, top); `effect` what came of it: bounce, die or split, for a tick turn,
+    fire, thrust, thrust_off, skip, end, halt or fuel. `died` and `born` are ids, a bullet that dies as it is
+    fired among both; `clipped` those whose speed was scaled back to their limit; `at` the point of contact (km).
+    A tick also carries its `prints`, the `span` of source it stopped at and, halted, the `reason`.
+    """
+
+    time: float
+    kind: str
+    entities: tuple[int, ...]
+    wall: str | None = field(default=None, kw_only=True)
+    effect: str = field(default="bounce", kw_only=True)
+    died: tuple[int, ...] = field(default=(), kw_only=True)
+    born: tuple[int, ...] = field(default=(), kw_only=True)
+    clipped: tuple[int, ...] = field(default=(), kw_only=True)
+    at: tuple[float, float] | None = field(default=None, kw_only=True)
+    prints: tuple[str, ...] = field(default=(), kw_only=True)
+    span: Any = field(default=None, kw_only=True)
+    reason: str | None = field(default=None, kw_only=True)
+
+    def __str__(self) -> str:
+        """One line for people."""
+        who = " and ".join(f"#{i}" for i in self.entities)
+        parts = [f"t={self.time:.6g} {self.kind} {who}"]
+        if self.wall:
+            parts.append(f"at the {self.wall}")
+        parts.append(self.effect)
+        for label, ids in (("died", self.died), ("born", self.born), ("clipped", self.clipped)):
+            if ids:
+                parts.append(f"{label} {' '.join(f'#{i}' for i in ids)}")
+        if self.reason:
+            parts.append(f"because {self.reason}")
+        parts += [f"prints {line}" for line in self.prints]
+        return ", ".join(parts)
+
+
+_happened = raw(Happened)
+
+
+def happenings(
+    world: World, until: float, *, max_events: int | None = None
+) -> Generator[tuple[Happened, World], None, World]:
+    """Unfold the events of a world up to and including `until` (absolute, s).
+
+    Yields (event, world after it) and returns the world at `until`, or after `max_events` events if that is
+    sooner. `ModelError` if `until` is nan, negative, infinite or before the world's clock, or if events pile up
+    at one moment without end (see `storm_limit`).
+    """
+    clock = clock_at(until)
+    if clock[:2] < world.now:
+        if until != world.time:
+            raise ModelError(f"the world is at {world.time!r} s already; it cannot go back to {until!r} s")
+        clock = world.clock  # its time is only the double nearest to its clock
+    return _unfold(world, clock, max_events)
+
+
+def evolve_until(world: World, time: float) -> World:
+    """The world at an absolute time (s): the value that `happenings` returns."""
+    return _fold(happenings(world, time))
+
+
+def evolve(world: World, dt: float) -> World:
+    """The world `dt` seconds later (1.6). The rounding of dt is carried, so ten steps of 0.1 s reach 1 s.
+
+    `ModelError` if dt is nan, negative or infinite. evolve(world, 0) runs what is due now.
+    """
+    return _fold(_unfold(world, advanced(world.clock, dt), None))
+
+
+def _fold(unfold: Generator[tuple[Happened, World], None, World]) -> World:
+    while True:
+        try:
+            next(unfold)
+        except StopIteration as stop:
+            result: World = stop.value
+            return result
+
+
+def storm_limit(entities: int) -> int:
+    """How many events may happen at one and the same moment among so many entities (law L14)."""
+    return 10_000 + 100 * entities
+
+
+def _unfold(
+    world: World, until: Clock, max_events: int | None
+) -> Generator[tuple[Happened, World], None, World]:
+    end = until[:2]
+    left = -1 if max_events is None else max_events
+    previous, crowd = (-1, 0.0), 0
+    engine = take(world)
+    while left != 0:
+        due = engine.next_due(end)
+        if due is None:
+            break
+        moment = due[:2]
+        crowd = crowd + 1 if moment == previous else 1
+        if crowd > 10_000 and crowd > storm_limit(engine.living):
+            raise ModelError(_storm(world, due))
+        previous = moment
+        give(world, engine)
+        happened, world = _happen(world, engine, due)
+        yield happened, world
+        engine = take(world)
+        left -= 1
+    give(world, engine)
+    if left != 0:
+        world, _ = _cut(world, engine, until)
+    return world
+
+
+def _storm(world: World, due: Due) -> str:
+    names = " and ".join(
+        describe(f.entity) for f in (due[8], due[9]) if f is not None
+    )
+    return (
+        f"more than {storm_limit(len(world))} events at the moment {seconds(due[0], due[1])!r} s, the last of "
+        f"{names}: the scene is too small or too fast for the resolution of its clock"
+    )
+
+
+def _cut(world: World, engine: Engine, clock: Clock) -> tuple[World, tuple[int, ...]]:
+    """Bring the world to the end of an advance: only a thrusting ship notices (1.6). Also the ids clipped."""
+    if world.clock == clock and not engine.thrusters:
+        return world, ()
+    kicks, clipped = [], []
+    for slot in sorted(engine.thrusters):
+        f = engine.flights[slot]
+        assert f is not None
+        after, fast = rules.kick(f, clock[:2])
+        if after is not f:
+            kicks.append((slot, after))
+        if fast:
+            clipped.append(f.entity.id or 0)
+    return replaced(world, clock, kicks, (), ()), tuple(sorted(clipped))
+
+
+def _happen(world: World, engine: Engine, due: Due) -> tuple[Happened, World]:
+    """One event: the kicks of its cut, what it changes, and the record of both."""
+    window, offset, rank, low, high, _, slot, other, f, g = due
+    moment, clock = (window, offset), (window, offset, 0.0)
+    kicked: tuple[int, ...] = ()
+    if engine.thrusters:
+        world, kicked = _cut(world, engine, clock)
+        f = engine.flights[slot] or f
+        g = g and engine.flights[other]
+    entities: tuple[int, ...] = (low,)
+    side = ticked = None
+    if g is not None:
+        kind, entities = "contact", (low, high)
+        if f.entity.id != low:
+            slot, other, f, g = other, slot, g, f
+        change = rules.contact(world, moment, f, g)
+    elif rank == TICK:
+        kind = "tick"
+        world = replaced(world, clock, (), (), ())
+        change, ticked = rules.tick(world, f)
+    else:
+        kind, side = "wall", WALLS[rank]
+        change = rules.wall(world, moment, f, side)
+    effect, flights, born, dead, clipped, passing, at = change
+    world = _changed(world, clock, zip((slot, other), flights, strict=False), change)
+    if born or passing:
+        births = tuple(sorted((*passing, *(b.entity.id or 0 for b in born))))
+        dead = tuple(sorted((*passing, *dead)))
+    else:
+        births = ()
+    if kicked:
+        clipped = tuple(sorted({*kicked, *clipped}))
+    prints, span, reason = (ticked.prints, ticked.span, ticked.reason) if ticked else ((), None, None)
+    happened = _happened(
+        seconds(window, offset), kind, entities, side, effect, dead, births, clipped, at, prints, span, reason,
+    )  # fmt: skip
+    return happened, world
+
+
+def _changed(
+    world: World, clock: Clock, changed: Iterable[tuple[int, Flight]], change: rules.Change
+) -> World:
+    next_id = change.passing[-1] + 1 if change.passing else 1
+    return replaced(world, clock, tuple(changed), change.born, change.dead, next_id)
+
+
+def act(world: World, ship_id: int, action: Action) -> World:
+    """The world after one action of a ship, now. Players, programs and tests all act through this.
+
+    `action` is one of Turn, Fire, Thrust, ThrustOff and Skip. `ModelError` if there is no such entity, it is
+    not a ship, or the action makes no sense.
+    """
+    slot = world.slot_of(ship_id)
+    change = rules.apply(world, world.flight_of(ship_id), action)
+    return _changed(world, world.clock, ((slot, f) for f in change.changed), change)
+
+
+def time_to_contact(a: Entity, b: Entity, *, model: str = models.DEFAULT) -> float:
+    """Seconds from now until two entities touch, flying straight on (1.5.1); infinite if they never do.
+
+    0.0 if they overlap and approach. A bullet and its own ship never meet.
+    """
+    level = models.named(model)
+    if own_bullet(a, b):
+        return NEVER
+    return level.contact_time(
+        a.x, a.y, a.vx, a.vy, a.radius, b.x, b.y, b.vx, b.vy, b.radius
+    )
+
+
+def time_to_wall(entity: Entity, world: World) -> tuple[float, tuple[str, ...]]:
+    """Seconds from now until an entity meets a boundary of the world, and which (1.5.1).
+
+    (infinity, ()) if it never does, two walls if it runs into a corner.
+    """
+    e, r = entity, entity.radius
+    tx = wall_time(e.x, e.vx, r, world.width - r)
+    ty = wall_time(e.y, e.vy, r, world.height - r)
+    t = min(tx, ty)
+    if t == NEVER:
+        return t, ()
+    walls = (("right" if e.vx > 0.0 else "left", tx), ("top" if e.vy > 0.0 else "bottom", ty))
+    return t, tuple(name for name, at in walls if at == t)
+
+
+def bounce(a: Entity, b: Entity) -> tuple[Entity, Entity]:
+    """Two entities in contact after their elastic bounce (1.5.2), within their speed limits.
+
+    If they do not approach nothing changes.
+    """
+    return rules.bounce(a, b)

@@ -1,0 +1,304 @@
+"""What an event means: bounce, die, split, fire, turn, thrust (assignment 1.4 to 1.7).
+
+Pure functions from flights to a `Change`. When an event happens is not decided here (see `fasteroids.engine`),
+nor how a world takes a change over (see `fasteroids.state.replaced`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from math import cos, frexp, isfinite, ldexp, sin, sqrt
+from typing import Literal, NamedTuple
+
+from attrs import evolve
+
+from fasteroids import chance, physics
+from fasteroids.actions import Action, Fire, Skip, Thrust, ThrustOff, Ticked, Turn
+from fasteroids.entities import Asteroid, Bullet, Entity, Ship, moving, number
+from fasteroids.moments import Moment, between, resolution
+from fasteroids.overlap import Placed, depth, outside, own_bullet, slack
+from fasteroids.state import Flight, World, describe, flight, located, placed
+from fasteroids.units import (
+    BULLET_RADIUS,
+    BULLET_SPEED,
+    CHILD_SPEED_FACTOR,
+    MAX_BULLETS,
+    SPLIT_RADIUS,
+    ModelError,
+)
+
+__all__ = ["Change", "ShipView", "apply", "bounce", "contact", "fire", "kick", "tick", "wall"]
+
+class Change(NamedTuple):
+    """What an event does: flights that replace others, births, deaths, and how to call it."""
+
+    effect: str
+    changed: tuple[Flight, ...] = ()
+    born: tuple[Flight, ...] = ()
+    dead: tuple[int, ...] = ()
+    clipped: tuple[int, ...] = ()
+    passing: tuple[int, ...] = ()
+    """Ids that were born and died in the same event, so that they never entered the world."""
+    at: tuple[float, float] | None = None
+    """The point of contact, km."""
+
+
+# Contacts.
+
+
+def masses(a: Entity, b: Entity) -> tuple[float, float]:
+    """The masses of two entities (kg), in another unit where only that keeps their ratio from over- or underflow.
+
+    Two asteroids have one density, so their masses are as the cubes of their radii.
+    """
+    if type(a) is Asteroid and type(b) is Asteroid:
+        scale = -frexp(max(a.radius, b.radius))[1]
+        p, q = ldexp(a.radius, scale), ldexp(b.radius, scale)
+        return p * p * p, q * q * q
+    return a.mass, b.mass
+
+
+def bounce(a: Entity, b: Entity) -> tuple[Entity, Entity]:
+    """Two entities in contact after their elastic bounce (1.5.2), within their speed limits.
+
+    If they do not approach nothing changes.
+    """
+    after_a, after_b, _ = _bounced(a, a.x, a.y, b, b.x, b.y)
+    return after_a, after_b
+
+
+def _bounced(
+    a: Entity, xa: float, ya: float, b: Entity, xb: float, yb: float
+) -> tuple[Entity, Entity, tuple[int, ...]]:
+    """Both entities after a bounce at these places, and the ids of those clipped."""
+    ma, mb = masses(a, b)
+    x, y = xb - xa, yb - ya
+    vxa, vya, vxb, vyb = physics.bounce(x, y, a.vx, a.vy, ma, b.vx, b.vy, mb)
+    clipped: tuple[int, ...] = ()
+    if sqrt(vxa * vxa + vya * vya) > a.max_speed or sqrt(vxb * vxb + vyb * vyb) > b.max_speed:
+        vxa, vya, vxb, vyb, ca, cb = physics.limit_contact(
+            x, y, vxa, vya, a.max_speed, vxb, vyb, b.max_speed
+        )
+        clipped = tuple(e.id or 0 for e, c in ((a, ca), (b, cb)) if c)
+    return moving(a, xa, ya, vxa, vya), moving(b, xb, yb, vxb, vyb), clipped
+
+
+def contact(world: World, now: Moment, f: Flight, g: Flight) -> Change:
+    """Two flights touch at `now` (1.5.2): bounce, or die."""
+    a, b = f.entity, g.entity
+    if type(a) is type(b) and type(a) is not Bullet:
+        s, t = between(f.since, now), between(g.since, now)
+        xa, ya, xb, yb = a.x + a.vx * s, a.y + a.vy * s, b.x + b.vx * t, b.y + b.vy * t
+        a, b, clipped = _bounced(a, xa, ya, b, xb, yb)
+        f, g = flight(now, a, b.id, f.next_tick), flight(now, b, a.id, g.next_tick)
+        share = a.radius / (a.radius + b.radius)
+        at = xa + (xb - xa) * share, ya + (yb - ya) * share
+        return Change("bounce", (f, g), (), (), clipped, (), at)
+    a, b = located(f, now), located(g, now)
+    share = a.radius / (a.radius + b.radius)
+    at = a.x + (b.x - a.x) * share, a.y + (b.y - a.y) * share
+    dying = (a, b) if Bullet in (type(a), type(b)) else (a if type(a) is Ship else b,)
+    return deaths(world.seed, now, world.roster.next_id, dying)._replace(at=at)
+
+
+def deaths(seed: int, now: Moment, next_id: int, dying: Iterable[Entity]) -> Change:
+    """Entities die at `now`; a large asteroid leaves two children, with ids from `next_id` (1.7)."""
+    born: list[Flight] = []
+    clipped: list[int] = []
+    dead = sorted(dying, key=lambda e: e.id or 0)
+    for e in dead:
+        if type(e) is Asteroid and e.radius >= SPLIT_RADIUS:
+            for child, fast in children(seed, e, next_id + len(born)):
+                born.append(flight(now, child, 0, None))
+                clipped += [child.id or 0] * fast
+    return Change(
+        "split" if born else "die",
+        born=tuple(born),
+        dead=tuple(e.id or 0 for e in dead),
+        clipped=tuple(clipped),
+    )
+
+
+def children(seed: int, parent: Asteroid, first_id: int) -> list[tuple[Asteroid, bool]]:
+    """The two children of an asteroid where it died, and whether each was clipped at its speed limit (1.7).
+
+    Half its radius each, on one random axis through its centre, r / 2 from it on either side, flying apart
+    along that axis with 1.5 times its speed.
+    """
+    angle = chance.angle(seed, parent.id or 0, "split")
+    c, s = cos(angle), sin(angle)
+    half = 0.5 * parent.radius
+    speed = CHILD_SPEED_FACTOR * parent.speed
+    result = []
+    for child_id, sign in ((first_id, 1.0), (first_id + 1, -1.0)):
+        vx, vy = sign * speed * c, sign * speed * s
+        child = Asteroid(
+            parent.x + sign * half * c,
+            parent.y + sign * half * s,
+            vx,
+            vy,
+            half,
+            max_speed=parent.max_speed,
+            id=child_id,
+        )
+        result.append((child, (child.vx, child.vy) != (vx, vy)))
+    return result
+
+
+# Walls.
+
+
+def wall(world: World, now: Moment, f: Flight, side: str) -> Change:
+    """A flight meets a wall at `now`: the disc is set onto it and turned inwards (1.5.2).
+
+    A bullet that has met one before dies.
+    """
+    e = f.entity
+    age = between(f.since, now)
+    x, y, vx, vy = e.x + e.vx * age, e.y + e.vy * age, e.vx, e.vy
+    if side == "left":
+        x, vx, at = e.radius, abs(vx), (0.0, y)
+    elif side == "right":
+        x, vx, at = world.width - e.radius, -abs(vx), (world.width, y)
+    elif side == "bottom":
+        y, vy, at = e.radius, abs(vy), (x, 0.0)
+    else:
+        y, vy, at = world.height - e.radius, -abs(vy), (x, world.height)
+    if type(e) is Bullet and e.bounced:
+        return Change("die", (), (), (e.id or 0,), (), (), at)
+    f = flight(now, moving(e, x, y, vx, vy, bounced=True), 0, f.next_tick)
+    return Change("bounce", (f,), (), (), (), (), at)
+
+
+# Thrust.
+
+
+def kick(f: Flight, now: Moment) -> tuple[Flight, bool]:
+    """A thrusting ship at a cut, by the text's rule (1.6): moved with its old velocity, then v + a dt, limited.
+
+    Also whether it was clipped. A kick of zero length changes nothing.
+    """
+    dt = between(f.since, now)
+    if dt == 0.0:
+        return f, False
+    e = located(f, now)
+    assert isinstance(e, Ship)
+    vx, vy, clipped = physics.thrust(e.vx, e.vy, *e.acceleration, dt, e.max_speed)
+    return flight(now, moving(e, e.x, e.y, vx, vy), 0, f.next_tick), clipped
+
+
+# Actions.
+
+
+def apply(world: World, f: Flight, action: Action) -> Change:
+    """One action at the world's clock, of the ship on flight `f` (1.2, 1.4, 1.8)."""
+    ship = f.entity
+    if not isinstance(ship, Ship):
+        raise ModelError(f"only a ship can act, not {describe(ship)}")
+    match action:
+        case Turn(angle):
+            if not isfinite(number(angle, "the angle of a turn")):
+                raise ModelError(f"the angle of a turn must be finite; got {angle!r}")
+            return Change("turn", (flight(f.since, ship.turn(angle), f.bounced_off, f.next_tick),))
+        case Fire():
+            return fire(world, located(f, world.now))
+        case Thrust() if not ship.thruster:
+            on = evolve(located(f, world.now), thruster=True)
+            return Change("thrust", (flight(world.now, on, f.bounced_off, f.next_tick),))
+        case ThrustOff() if ship.thruster:
+            off = evolve(ship, thruster=False)
+            return Change("thrust_off", (flight(f.since, off, f.bounced_off, f.next_tick),))
+        case Thrust():
+            return Change("thrust")
+        case ThrustOff():
+            return Change("thrust_off")
+        case Skip():
+            return Change("skip")
+    raise ModelError(
+        f"an action is one of Turn(angle), Fire(), Thrust(), ThrustOff() and Skip(); got {action!r}"
+    )
+
+
+def fire(world: World, ship: Entity) -> Change:
+    """A ship fires from where it is (1.4): a bullet next to it, or two deaths if the place is taken, or nothing.
+
+    Nothing happens with three bullets of the ship in the world, or if the bullet would be partly outside.
+    """
+    assert isinstance(ship, Ship)
+    shots = [f for f in world.flights if f is not None and own_bullet(f.entity, ship)]
+    if len(shots) >= MAX_BULLETS:
+        return Change("fire")
+    c, s = cos(ship.direction), sin(ship.direction)
+    reach = ship.radius + BULLET_RADIUS
+    bullet_id = world.roster.next_id
+    bullet = Bullet(
+        ship.x + reach * c,
+        ship.y + reach * s,
+        BULLET_SPEED * c,
+        BULLET_SPEED * s,
+        BULLET_RADIUS,
+        ship,  # type: ignore[arg-type]
+        id=bullet_id,
+    )
+    here = Placed(bullet, slack(bullet, 0.0, resolution(world.now)))
+    if outside(here, world.width, world.height):
+        return Change("fire")
+    for other in placed(world):
+        occupant = other.entity
+        if not own_bullet(bullet, occupant) and (
+            depth(bullet, occupant) > here.slack + other.slack
+        ):
+            death = deaths(world.seed, world.now, bullet_id + 1, (occupant,))
+            return death._replace(effect="fire", passing=(bullet_id,))
+    return Change("fire", born=(flight(world.now, bullet, 0, None),))
+
+
+# Ticks.
+
+
+class ShipView:
+    """What the program of a ship sees: the world at its clock, read-only (see `fasteroids.actions.View`)."""
+
+    __slots__ = ("_ship", "_world")
+
+    def __init__(self, world: World, ship: Ship) -> None:
+        self._world, self._ship = world, ship
+
+    @property
+    def self_id(self) -> int:
+        """The id of the ship that runs the program."""
+        return self._ship.id or 0
+
+    @property
+    def direction(self) -> float:
+        """Where that ship faces, rad."""
+        return self._ship.direction
+
+    def ids(self, kind: Literal["ship", "asteroid", "bullet", "any"]) -> tuple[int, ...]:
+        """The ids of all entities of a kind, ascending."""
+        of_kind = _KINDS[kind]
+        return tuple(
+            i for i, f in self._world.all_flights().items() if isinstance(f.entity, of_kind)
+        )
+
+    def entity(self, entity_id: int) -> Entity | None:
+        """An entity at this moment, or None if it is dead."""
+        return self._world.entities.get(entity_id)
+
+
+_KINDS = {"ship": Ship, "asteroid": Asteroid, "bullet": Bullet, "any": (Ship, Asteroid, Bullet)}
+
+
+def tick(world: World, f: Flight) -> tuple[Change, Ticked]:
+    """One run of a ship's program at the world's clock (1.6, 1.8), and what it did to the world."""
+    ship = f.entity
+    assert isinstance(ship, Ship)
+    assert ship.program is not None
+    assert f.next_tick is not None
+    ticked = ship.program.tick(ShipView(world, located(f, world.now)))  # type: ignore[arg-type]
+    again = f.next_tick + 1 if ticked.program.running else None
+    f = flight(f.since, evolve(ship, program=ticked.program), f.bounced_off, again)
+    if ticked.action is None:
+        return Change(ticked.end or "skip", (f,)), ticked
+    change = apply(world, f, ticked.action)
+    return (change if change.changed else change._replace(changed=(f,))), ticked
