@@ -23,12 +23,12 @@ def raw(cls: type[T]) -> Callable[..., T]:
 
     `cls` is a frozen, slotted attrs class without weak references.
     """
-    names = tuple(a.name for a in fields(cls))  # type: ignore[arg-type, misc]
+    names = tuple(a.name for a in fields(cls))  # type: ignore[arg-type]
     assert tuple(cls.__slots__) == names, f"{cls.__name__} is not a plain slotted record"  # type: ignore[attr-defined]
     lines = [f"def __init__(self, {', '.join(names)}):"]
     lines += [f"    self.{name} = {name}" for name in names]
     lines += ["    self.__class__ = cls"]
     scope: dict[str, Any] = {"cls": cls}
     exec("\n".join(lines), scope)
-    twin = type(f"_Raw{cls.__name__}", cls.__bases__, {"__slots__": names, "__init__": scope["__init__"]})
-    return twin
+    body = {"__slots__": names, "__init__": scope["__init__"]}
+    return type(f"_Raw{cls.__name__}", cls.__bases__, body)

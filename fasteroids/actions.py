@@ -59,17 +59,28 @@ class EntityState(Protocol):
     """What a program may read of an entity: km, km/s."""
 
     @property
-    def id(self) -> int | None: ...
+    def id(self) -> int | None:
+        """Its id."""
+
     @property
-    def x(self) -> float: ...
+    def x(self) -> float:
+        """km."""
+
     @property
-    def y(self) -> float: ...
+    def y(self) -> float:
+        """km."""
+
     @property
-    def vx(self) -> float: ...
+    def vx(self) -> float:
+        """km/s."""
+
     @property
-    def vy(self) -> float: ...
+    def vy(self) -> float:
+        """km/s."""
+
     @property
-    def radius(self) -> float: ...
+    def radius(self) -> float:
+        """km."""
 
 
 class View(Protocol):

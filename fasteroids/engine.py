@@ -34,7 +34,19 @@ from fasteroids.physics import wall_time
 from fasteroids.state import Flight, World, located
 from fasteroids.units import WINDOW
 
-__all__ = ["CONTACT", "GRID_FROM", "LIMIT", "TICK", "WALLS", "Due", "Engine", "Plan", "give", "needs", "take"]
+__all__ = [
+    "CONTACT",
+    "GRID_FROM",
+    "LIMIT",
+    "TICK",
+    "WALLS",
+    "Due",
+    "Engine",
+    "Plan",
+    "give",
+    "needs",
+    "take",
+]
 
 CONTACT, LIMIT, TICK = 0, 5, 6
 WALLS = {1: "left", 2: "right", 3: "bottom", 4: "top"}
@@ -286,9 +298,7 @@ class Engine:
         if offset >= WINDOW:
             windows, offset = divmod(offset, WINDOW)
             window += int(windows)
-        heappush(
-            self._heap, (window, offset, rank, me, 0, next(self._serial), slot, step, f, None)
-        )
+        heappush(self._heap, (window, offset, rank, me, 0, next(self._serial), slot, step, f, None))
 
     def _tick(self, slot: int, f: Flight) -> None:
         window, offset = tick_moment(f.next_tick or 0)

@@ -27,34 +27,35 @@ from fasteroids.units import (
     SPEED_OF_LIGHT,
     THRUST,
     ModelError,
+    shown,
 )
 
 MAX_FLOAT = float_info.max
 
-__all__ = ["Asteroid", "Bullet", "Entity", "Ship", "moving"]
+__all__ = ["Asteroid", "Bullet", "Entity", "Ship", "id_of", "moving", "number", "wrapped"]
 
 
 def number(value: object, what: str) -> float:
     """`value` as a float (huge integers become infinite), or `ModelError` naming `what`."""
     if not isinstance(value, Real) or isinstance(value, bool):
-        raise ModelError(f"{what} must be a number; got {value!r}")
+        raise ModelError(f"{what} must be a number; got {shown(value)}")
     try:
         return float(value)
     except OverflowError:
-        return inf if value > 0 else -inf
+        return inf if value > 0 else -inf  # type: ignore[operator]
 
 
 def _finite(value: object, what: str, unit: str) -> float:
     result = number(value, what)
     if not -inf < result < inf:
-        raise ModelError(f"{what} must be a finite number of {unit}; got {value!r}")
+        raise ModelError(f"{what} must be a finite number of {unit}; got {shown(value)}")
     return result
 
 
 def _positive(value: object, what: str, unit: str) -> float:
     result = number(value, what)
     if not 0.0 < result < inf:
-        raise ModelError(f"{what} must be a finite number of {unit} above 0; got {value!r}")
+        raise ModelError(f"{what} must be a finite number of {unit} above 0; got {shown(value)}")
     return result
 
 
@@ -83,7 +84,7 @@ class _Disc:
         limit = number(self.max_speed, "max_speed")
         if not 0.0 <= limit <= SPEED_OF_LIGHT:
             raise ModelError(
-                f"max_speed must lie between 0 and {SPEED_OF_LIGHT:.0f} km/s; got {self.max_speed!r}"
+                f"max_speed must lie between 0 and {SPEED_OF_LIGHT:.0f} km/s; got {shown(self.max_speed)}"
             )
         vx, vy = limit_speed(number(self.vx, "vx"), number(self.vy, "vy"), limit)
         self._settle(
@@ -94,10 +95,12 @@ class _Disc:
             vx=vx,
             vy=vy,
         )
-        if self.name is not None and not (isinstance(self.name, str) and self.name.isprintable() and self.name):
-            raise ModelError(f"name must be printable text or None; got {self.name!r}")
+        if self.name is not None and not (
+            isinstance(self.name, str) and self.name.isprintable() and self.name
+        ):
+            raise ModelError(f"name must be printable text or None; got {shown(self.name)}")
         if self.id is not None and (type(self.id) is not int or self.id < 1):
-            raise ModelError(f"id must be an integer from 1, or None; got {self.id!r}")
+            raise ModelError(f"id must be an integer from 1, or None; got {shown(self.id)}")
 
     def _settle(self, **values: float) -> None:
         for name, value in values.items():
@@ -161,7 +164,7 @@ class Ship(_Disc):
         power = number(self.thrust_power, "thrust_power")
         if not 0.0 <= power < inf:
             raise ModelError(
-                f"thrust_power must be a finite number of kg km/s^2, 0 or more; got {self.thrust_power!r}"
+                f"thrust_power must be a finite number of kg km/s^2, 0 or more; got {shown(self.thrust_power)}"
             )
         self._settle(
             mass=_positive(self.mass, "mass", "kg"),
@@ -169,9 +172,11 @@ class Ship(_Disc):
             thrust_power=power,
         )
         if not isinstance(self.thruster, bool):
-            raise ModelError(f"thruster must be True or False; got {self.thruster!r}")
+            raise ModelError(f"thruster must be True or False; got {shown(self.thruster)}")
         if self.program is not None and not isinstance(self.program, Program):
-            raise ModelError(f"program must be a checked program or None; got {self.program!r}")
+            raise ModelError(
+                f"program must be a checked program or None; got {shown(self.program)}"
+            )
 
     def turn(self, angle: float) -> Ship:
         """The ship turned by `angle` rad, counter-clockwise (1.2). The angle must be finite."""
@@ -241,11 +246,11 @@ class Bullet(_Disc):
         if type(source) is not int or source < 1:
             raise ModelError(
                 "source must be the id of the ship that fired the bullet, or that ship as its world knows it;"
-                f" got {self.source!r}"
+                f" got {shown(self.source)}"
             )
         object.__setattr__(self, "source", source)
         if not isinstance(self.bounced, bool):
-            raise ModelError(f"bounced must be True or False; got {self.bounced!r}")
+            raise ModelError(f"bounced must be True or False; got {shown(self.bounced)}")
 
     @property
     def mass(self) -> float:
@@ -265,9 +270,9 @@ def moving(e: Entity, x: float, y: float, vx: float, vy: float, *, bounced: bool
 
     `bounced` marks a bullet that just met its first wall, and means nothing for the others.
     """
-    if type(e) is Asteroid:
+    if isinstance(e, Asteroid):
         return _asteroid(x, y, vx, vy, e.radius, e.name, e.max_speed, e.id)
-    if type(e) is Ship:
+    if isinstance(e, Ship):
         return _ship(
             x, y, vx, vy, e.radius, e.mass, e.direction,
             e.thruster, e.program, e.name, e.max_speed, e.thrust_power, e.id,
@@ -275,3 +280,9 @@ def moving(e: Entity, x: float, y: float, vx: float, vy: float, *, bounced: bool
     return _bullet(
         x, y, vx, vy, e.radius, e.source, e.bounced or bounced, e.name, e.max_speed, e.id
     )
+
+
+def id_of(e: Entity) -> int:
+    """The id of an entity that is in a world."""
+    assert e.id is not None
+    return e.id

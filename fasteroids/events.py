@@ -15,7 +15,7 @@ from fasteroids import models, rules
 from fasteroids._raw import raw
 from fasteroids.actions import Action
 from fasteroids.engine import TICK, WALLS, Due, Engine, give, take
-from fasteroids.entities import Entity
+from fasteroids.entities import Entity, id_of
 from fasteroids.moments import Clock, advanced, clock_at, seconds
 from fasteroids.overlap import own_bullet
 from fasteroids.physics import NEVER, wall_time
@@ -90,7 +90,9 @@ def happenings(
     clock = clock_at(until)
     if clock[:2] < world.now:
         if until != world.time:
-            raise ModelError(f"the world is at {world.time!r} s already; it cannot go back to {until!r} s")
+            raise ModelError(
+                f"the world is at {world.time!r} s already; it cannot go back to {until!r} s"
+            )
         clock = world.clock  # its time is only the double nearest to its clock
     return _unfold(world, clock, max_events)
 
@@ -150,9 +152,7 @@ def _unfold(
 
 
 def _storm(world: World, due: Due) -> str:
-    names = " and ".join(
-        describe(f.entity) for f in (due[8], due[9]) if f is not None
-    )
+    names = " and ".join(describe(f.entity) for f in (due[8], due[9]) if f is not None)
     return (
         f"more than {storm_limit(len(world))} events at the moment {seconds(due[0], due[1])!r} s, the last of "
         f"{names}: the scene is too small or too fast for the resolution of its clock"
@@ -171,7 +171,7 @@ def _cut(world: World, engine: Engine, clock: Clock) -> tuple[World, tuple[int, 
         if after is not f:
             kicks.append((slot, after))
         if fast:
-            clipped.append(f.entity.id or 0)
+            clipped.append(id_of(f.entity))
     return replaced(world, clock, kicks, (), ()), tuple(sorted(clipped))
 
 
@@ -201,13 +201,15 @@ def _happen(world: World, engine: Engine, due: Due) -> tuple[Happened, World]:
     effect, flights, born, dead, clipped, passing, at = change
     world = _changed(world, clock, zip((slot, other), flights, strict=False), change)
     if born or passing:
-        births = tuple(sorted((*passing, *(b.entity.id or 0 for b in born))))
+        births = tuple(sorted((*passing, *(id_of(b.entity) for b in born))))
         dead = tuple(sorted((*passing, *dead)))
     else:
         births = ()
     if kicked:
         clipped = tuple(sorted({*kicked, *clipped}))
-    prints, span, reason = (ticked.prints, ticked.span, ticked.reason) if ticked else ((), None, None)
+    prints, span, reason = (
+        (ticked.prints, ticked.span, ticked.reason) if ticked else ((), None, None)
+    )
     happened = _happened(
         seconds(window, offset), kind, entities, side, effect, dead, births, clipped, at, prints, span, reason,
     )  # fmt: skip
@@ -240,9 +242,7 @@ def time_to_contact(a: Entity, b: Entity, *, model: str = models.DEFAULT) -> flo
     level = models.named(model)
     if own_bullet(a, b):
         return NEVER
-    return level.contact_time(
-        a.x, a.y, a.vx, a.vy, a.radius, b.x, b.y, b.vx, b.vy, b.radius
-    )
+    return level.contact_time(a.x, a.y, a.vx, a.vy, a.radius, b.x, b.y, b.vx, b.vy, b.radius)
 
 
 def time_to_wall(entity: Entity, world: World) -> tuple[float, tuple[str, ...]]:

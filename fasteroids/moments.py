@@ -15,7 +15,7 @@ from __future__ import annotations
 from fractions import Fraction
 from math import inf, ulp
 
-from fasteroids.units import TICKS_PER_SECOND, WINDOW, ModelError
+from fasteroids.units import TICKS_PER_SECOND, WINDOW, ModelError, shown
 
 __all__ = [
     "ORIGIN",
@@ -62,7 +62,7 @@ def checked_time(time: float, what: str) -> float:
     except (TypeError, ValueError, OverflowError):
         value = -1.0
     if not 0.0 <= value < inf:
-        raise ModelError(f"{what} must be a finite number of seconds, 0 or more; got {time!r}")
+        raise ModelError(f"{what} must be a finite number of seconds, 0 or more; got {shown(time)}")
     return value
 
 

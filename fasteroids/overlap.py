@@ -15,7 +15,7 @@ from typing import NamedTuple
 from fasteroids.entities import Bullet, Entity
 from fasteroids.physics import distance
 
-__all__ = ["Placed", "depth", "first_overlap", "own_bullet", "outside", "overhang", "slack"]
+__all__ = ["Placed", "depth", "first_overlap", "outside", "overhang", "own_bullet", "slack"]
 
 _ROUNDINGS = 16 * 2.0**-53
 
@@ -60,9 +60,7 @@ def outside(p: Placed, width: float, height: float) -> bool:
     return overhang(p.entity, width, height) > p.slack
 
 
-def first_overlap(
-    placed: Sequence[Placed], news: Sequence[Placed]
-) -> tuple[Entity, Entity] | None:
+def first_overlap(placed: Sequence[Placed], news: Sequence[Placed]) -> tuple[Entity, Entity] | None:
     """Two entities that overlap by more than their slacks, one of them in `news`, or None.
 
     Of those already placed only pairs with a new one are looked at. A sweep from left to right: O(n log n)

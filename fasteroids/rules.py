@@ -14,7 +14,7 @@ from attrs import evolve
 
 from fasteroids import chance, physics
 from fasteroids.actions import Action, Fire, Skip, Thrust, ThrustOff, Ticked, Turn
-from fasteroids.entities import Asteroid, Bullet, Entity, Ship, moving, number
+from fasteroids.entities import Asteroid, Bullet, Entity, Ship, id_of, moving, number
 from fasteroids.moments import Moment, between, resolution
 from fasteroids.overlap import Placed, depth, outside, own_bullet, slack
 from fasteroids.state import Flight, World, describe, flight, located, placed
@@ -25,9 +25,11 @@ from fasteroids.units import (
     MAX_BULLETS,
     SPLIT_RADIUS,
     ModelError,
+    shown,
 )
 
 __all__ = ["Change", "ShipView", "apply", "bounce", "contact", "fire", "kick", "tick", "wall"]
+
 
 class Change(NamedTuple):
     """What an event does: flights that replace others, births, deaths, and how to call it."""
@@ -79,7 +81,7 @@ def _bounced(
         vxa, vya, vxb, vyb, ca, cb = physics.limit_contact(
             x, y, vxa, vya, a.max_speed, vxb, vyb, b.max_speed
         )
-        clipped = tuple(e.id or 0 for e, c in ((a, ca), (b, cb)) if c)
+        clipped = tuple(id_of(e) for e, c in ((a, ca), (b, cb)) if c)
     return moving(a, xa, ya, vxa, vya), moving(b, xb, yb, vxb, vyb), clipped
 
 
@@ -105,16 +107,16 @@ def deaths(seed: int, now: Moment, next_id: int, dying: Iterable[Entity]) -> Cha
     """Entities die at `now`; a large asteroid leaves two children, with ids from `next_id` (1.7)."""
     born: list[Flight] = []
     clipped: list[int] = []
-    dead = sorted(dying, key=lambda e: e.id or 0)
+    dead = sorted(dying, key=id_of)
     for e in dead:
         if type(e) is Asteroid and e.radius >= SPLIT_RADIUS:
             for child, fast in children(seed, e, next_id + len(born)):
                 born.append(flight(now, child, 0, None))
-                clipped += [child.id or 0] * fast
+                clipped += [id_of(child)] * fast
     return Change(
         "split" if born else "die",
         born=tuple(born),
-        dead=tuple(e.id or 0 for e in dead),
+        dead=tuple(map(id_of, dead)),
         clipped=tuple(clipped),
     )
 
@@ -125,7 +127,7 @@ def children(seed: int, parent: Asteroid, first_id: int) -> list[tuple[Asteroid,
     Half its radius each, on one random axis through its centre, r / 2 from it on either side, flying apart
     along that axis with 1.5 times its speed.
     """
-    angle = chance.angle(seed, parent.id or 0, "split")
+    angle = chance.angle(seed, id_of(parent), "split")
     c, s = cos(angle), sin(angle)
     half = 0.5 * parent.radius
     speed = CHILD_SPEED_FACTOR * parent.speed
@@ -165,7 +167,7 @@ def wall(world: World, now: Moment, f: Flight, side: str) -> Change:
     else:
         y, vy, at = world.height - e.radius, -abs(vy), (x, world.height)
     if type(e) is Bullet and e.bounced:
-        return Change("die", (), (), (e.id or 0,), (), (), at)
+        return Change("die", (), (), (id_of(e),), (), (), at)
     f = flight(now, moving(e, x, y, vx, vy, bounced=True), 0, f.next_tick)
     return Change("bounce", (f,), (), (), (), (), at)
 
@@ -198,12 +200,13 @@ def apply(world: World, f: Flight, action: Action) -> Change:
     match action:
         case Turn(angle):
             if not isfinite(number(angle, "the angle of a turn")):
-                raise ModelError(f"the angle of a turn must be finite; got {angle!r}")
+                raise ModelError(f"the angle of a turn must be finite; got {shown(angle)}")
             return Change("turn", (flight(f.since, ship.turn(angle), f.bounced_off, f.next_tick),))
         case Fire():
             return fire(world, located(f, world.now))
         case Thrust() if not ship.thruster:
-            on = evolve(located(f, world.now), thruster=True)
+            here = located(f, world.now)
+            on = evolve(ship, x=here.x, y=here.y, thruster=True)
             return Change("thrust", (flight(world.now, on, f.bounced_off, f.next_tick),))
         case ThrustOff() if ship.thruster:
             off = evolve(ship, thruster=False)
@@ -215,7 +218,7 @@ def apply(world: World, f: Flight, action: Action) -> Change:
         case Skip():
             return Change("skip")
     raise ModelError(
-        f"an action is one of Turn(angle), Fire(), Thrust(), ThrustOff() and Skip(); got {action!r}"
+        f"an action is one of Turn(angle), Fire(), Thrust(), ThrustOff() and Skip(); got {shown(action)}"
     )
 
 
@@ -267,7 +270,7 @@ class ShipView:
     @property
     def self_id(self) -> int:
         """The id of the ship that runs the program."""
-        return self._ship.id or 0
+        return id_of(self._ship)
 
     @property
     def direction(self) -> float:
@@ -286,7 +289,12 @@ class ShipView:
         return self._world.entities.get(entity_id)
 
 
-_KINDS = {"ship": Ship, "asteroid": Asteroid, "bullet": Bullet, "any": (Ship, Asteroid, Bullet)}
+_KINDS: dict[str, type | tuple[type, ...]] = {
+    "ship": Ship,
+    "asteroid": Asteroid,
+    "bullet": Bullet,
+    "any": (Ship, Asteroid, Bullet),
+}
 
 
 def tick(world: World, f: Flight) -> tuple[Change, Ticked]:

@@ -19,7 +19,7 @@ from pyrsistent import PMap, PVector, pmap, pvector
 
 from fasteroids import models
 from fasteroids._raw import raw
-from fasteroids.entities import Asteroid, Bullet, Entity, Ship, moving, number
+from fasteroids.entities import Asteroid, Bullet, Entity, Ship, id_of, moving, number
 from fasteroids.moments import (
     START,
     Clock,
@@ -30,7 +30,7 @@ from fasteroids.moments import (
     tick_after,
 )
 from fasteroids.overlap import Placed, depth, first_overlap, outside, slack
-from fasteroids.units import MAX_WORLD_SIZE, ModelError
+from fasteroids.units import MAX_WORLD_SIZE, ModelError, shown
 
 __all__ = ["Cache", "Flight", "Roster", "World", "located"]
 
@@ -99,7 +99,7 @@ class Entities(Mapping[int, Entity]):
 
     def __getitem__(self, entity_id: int) -> Entity:
         world = self._world
-        return located(world.flights[world.roster.slots[entity_id]], world.now)
+        return located(world.flights[world.roster.slots[entity_id]], world.now)  # type: ignore[arg-type]
 
     def __iter__(self) -> Iterator[int]:
         return iter(sorted(self._world.roster.slots))
@@ -115,17 +115,17 @@ def _size(instance: World, attribute: Any, value: float) -> None:
     size = number(value, attribute.name)
     if not 0.0 <= size <= MAX_WORLD_SIZE:
         raise ModelError(
-            f"{attribute.name} must be a number of km from 0 to {MAX_WORLD_SIZE!r}; got {value!r}"
+            f"{attribute.name} must be a number of km from 0 to {MAX_WORLD_SIZE!r}; got {shown(value)}"
         )
     object.__setattr__(instance, attribute.name, size)
 
 
-def _seed(instance: World, attribute: Any, value: int) -> None:
+def _seed(_world: World, _attribute: Any, value: int) -> None:
     if type(value) is not int:
-        raise ModelError(f"seed must be an integer; got {value!r}")
+        raise ModelError(f"seed must be an integer; got {shown(value)}")
 
 
-def _model(instance: World, attribute: Any, value: str) -> None:
+def _model(_world: World, _attribute: Any, value: str) -> None:
     models.named(value)
 
 
@@ -209,7 +209,9 @@ class World:
         try:
             return self.roster.slots[entity_id]
         except (KeyError, TypeError):
-            raise ModelError(f"there is no entity with id {entity_id!r} in this world") from None
+            raise ModelError(
+                f"there is no entity with id {shown(entity_id)} in this world"
+            ) from None
 
     def all_flights(self) -> dict[int, Flight]:
         """Every flight by entity id, in id order."""
@@ -231,16 +233,22 @@ class World:
         next_id, flights = self.roster.next_id, []
         for entity in entities:
             if not isinstance(entity, Ship | Asteroid | Bullet):
-                raise ModelError(f"only ships, asteroids and bullets can be added; got {entity!r}")
+                raise ModelError(
+                    f"only ships, asteroids and bullets can be added; got {shown(entity)}"
+                )
             if entity.id is None:
                 entity = evolve(entity, id=next_id)
             elif entity.id in self:
-                raise ModelError(f"id {entity.id} is taken: {describe(entity)} cannot be added twice")
+                raise ModelError(
+                    f"id {entity.id} is taken: {describe(entity)} cannot be added twice"
+                )
             elif entity.id < next_id:
                 raise ModelError(f"id {entity.id} was used before; leave the id out for a new one")
-            next_id = entity.id + 1  # type: ignore[operator]
+            next_id = id_of(entity) + 1
             flights.append(starting(entity, self.now))
-        check_room(self, [Placed(f.entity, slack(f.entity, 0.0, resolution(self.now))) for f in flights])
+        check_room(
+            self, [Placed(f.entity, slack(f.entity, 0.0, resolution(self.now))) for f in flights]
+        )
         return replaced(self, self.clock, (), flights, ())
 
     def remove(self, entity_id: int) -> World:
@@ -332,32 +340,37 @@ def replaced(
 ) -> World:
     """The world at `clock` with other flights: changed (slot, flight), born ones, and without the dead ids.
 
-    Ids below `next_id` count as used. The one way flights change. The new world takes over the cache of predictions, brought up to date.
+    Ids below `next_id` count as used. This is the one way flights change. The new world takes over the cache of
+    predictions, brought up to date.
     """
     flights = world.flights
     if len(changed) == 2:
         (slot, f), (other, g) = changed
-        flights = flights.mset(slot, f, other, g)
+        flights = flights.mset(slot, f, other, g)  # type: ignore[arg-type]
     else:
         for slot, f in changed:
             flights = flights.set(slot, f)
     roster, born_slots, dead_slots = world.roster, [], []
     if born or dead or next_id > roster.next_id:
-        slots, free = roster.slots, roster.free
-        next_id = max(next_id, roster.next_id)
+        free, next_id = roster.free, max(next_id, roster.next_id)
+        slots, vector = roster.slots.evolver(), flights.evolver()
         for entity_id in dead:
             slot = slots[entity_id]
-            slots, free, flights = slots.remove(entity_id), (slot, free), flights.set(slot, None)
+            slots.remove(entity_id)
+            vector[slot] = None
+            free = (slot, free)
             dead_slots.append(slot)
         for f in born:
             if free:
-                (slot, free), flights = free, flights.set(free[0], f)
+                slot, free = free
+                vector[slot] = f
             else:
-                slot, flights = len(flights), flights.append(f)
-            slots = slots.set(f.entity.id, slot)
-            next_id = max(next_id, f.entity.id + 1)  # type: ignore[operator]
+                slot = len(vector)
+                vector.append(f)
+            slots[id_of(f.entity)] = slot
+            next_id = max(next_id, id_of(f.entity) + 1)
             born_slots.append((slot, f))
-        roster = Roster(slots, free, next_id)
+        flights, roster = vector.persistent(), Roster(slots.persistent(), free, next_id)
     result = _world(world.width, world.height, world.seed, world.model, clock, flights, roster, [])
     if world._box:
         cache: Cache = world._box.pop()

@@ -24,6 +24,7 @@ __all__ = [
     "TICKS_PER_SECOND",
     "WINDOW",
     "ModelError",
+    "shown",
 ]
 
 SPEED_OF_LIGHT: Final = 300_000.0
@@ -69,3 +70,12 @@ class ModelError(ValueError):
     The message is a sentence that says what was given and what is allowed. It is the only exception the
     library raises on purpose.
     """
+
+
+def shown(value: object) -> str:
+    """A value as error messages show it: its repr, cut short, and never an error of its own."""
+    try:
+        text = repr(value)
+    except ValueError:  # an integer of more digits than Python prints
+        return "a huge integer"
+    return text if len(text) <= 200 else text[:197] + "..."

@@ -16,7 +16,7 @@ from fasteroids.models import robust, spec
 from fasteroids.models._model import ContactTime as ContactTime
 from fasteroids.models._model import Model as Model
 from fasteroids.models._model import ThrustRule as ThrustRule
-from fasteroids.units import ModelError
+from fasteroids.units import ModelError, shown
 
 __all__ = ["DEFAULT", "MODELS", "ContactTime", "Model", "ThrustRule", "named"]
 
@@ -32,6 +32,6 @@ def named(name: str) -> Model:
     """The model of that name; an unknown one raises `ModelError` with the names there are."""
     if isinstance(name, str) and name in MODELS:
         return MODELS[name]
-    near = get_close_matches(str(name), MODELS, n=1)
+    near = get_close_matches(name, MODELS, n=1) if isinstance(name, str) else []
     hint = f" (did you mean {near[0]!r}?)" if near else ""
-    raise ModelError(f"there is no model {name!r}{hint}; there are {', '.join(map(repr, MODELS))}")
+    raise ModelError(f"there is no model {shown(name)}{hint}; there are {', '.join(map(repr, MODELS))}")
