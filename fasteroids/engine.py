@@ -106,6 +106,7 @@ class Engine:
         self._forced = plan
         self._serial = count()
         self.asked = self.undecided = 0
+        self._happening: tuple[int, Flight] | None = None
         self.flights: list[Flight | None] = list(world.flights)
         self._build(world.now)
 
@@ -166,6 +167,12 @@ class Engine:
             self._predict(slot, f)
         for slot, f in born:
             self._predict(slot, f)
+        if self._happening is not None:
+            slot, f = self._happening
+            self._happening = None
+            if self.flights[slot] is f:  # it flies on, and this contact was all it knew
+                self._contact[slot] = None
+                self._look(slot, f, self.grid.around)
         if len(self._heap) > 8 * self.living + 64:
             self._compact()
 
@@ -325,6 +332,7 @@ class Engine:
             rank = due[2]
             if rank == CONTACT:
                 if flights[due[7]] is due[9]:
+                    self._happening = slot, f
                     return due
                 if contacts[slot] is due:
                     contacts[slot] = None

@@ -1,0 +1,31 @@
+"""Hypothesis strategies and helpers for those who test against Fasteroids (extra ``testing``).
+
+    from hypothesis import given
+    from fasteroids.testing import worlds, unfold
+
+    @given(worlds())
+    def test_nothing_is_born_twice(world):
+        ...
+"""
+
+from fasteroids.testing.failures import keeping as keeping
+from fasteroids.testing.runs import Run as Run
+from fasteroids.testing.runs import unfold as unfold
+from fasteroids.testing.scripts import Script as Script
+from fasteroids.testing.strategies import actions as actions
+from fasteroids.testing.strategies import discs as discs
+from fasteroids.testing.strategies import pairs as pairs
+from fasteroids.testing.strategies import scripts as scripts
+from fasteroids.testing.strategies import worlds as worlds
+
+__all__ = [
+    "Run",
+    "Script",
+    "actions",
+    "discs",
+    "keeping",
+    "pairs",
+    "scripts",
+    "unfold",
+    "worlds",
+]

@@ -1,0 +1,213 @@
+"""Hypothesis strategies for entities and worlds, valid by construction.
+
+Discs are laid into the cells of a rectangular lattice, so nothing is filtered and everything shrinks to few
+discs, simple numbers and rest. A `flavour` says what makes a world hard:
+
+``ordinary``  any radius, any place;      ``dense``   discs that nearly fill their cells;
+``thin``      small discs, far apart;     ``touching``  every neighbour and wall touched at the start;
+``corners``   diagonal flights that reach two walls at once;
+``twins``     a world and its mirror image, so that events come in pairs at one moment;
+``squeeze``   head-on in one row, with masses far apart;
+``extreme``   lengths from 1e-150 to 1e150 km, masses from 1e-290 to 1e290 kg, speeds to the limit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import tau
+from typing import Any, NamedTuple
+
+from attrs import evolve
+from hypothesis import strategies as st
+
+from fasteroids.actions import Action, Fire, Skip, Thrust, ThrustOff, Turn
+from fasteroids.entities import Asteroid, Bullet, Entity, Ship
+from fasteroids.state import World
+from fasteroids.testing.scripts import Script
+from fasteroids.units import SPEED_OF_LIGHT
+
+__all__ = ["FLAVOURS", "actions", "discs", "pairs", "scripts", "worlds"]
+
+FLAVOURS = ("ordinary", "dense", "thin", "touching", "corners", "twins", "squeeze", "extreme")
+
+_CELL = 64.0  # km, before scaling
+_FILL = {"dense": (0.8, 1.0), "thin": (1 / 64, 0.1), "touching": (1.0, 1.0)}
+
+_unit = st.floats(0.0, 1.0)
+_signed = st.floats(-1.0, 1.0)
+_dyadic = st.integers(-8, 8).map(lambda n: n / 8)
+_angles = st.one_of(st.integers(0, 7).map(lambda n: n * tau / 8), st.floats(0.0, tau))
+
+
+def actions(*, thrust: bool = True) -> st.SearchStrategy[Action]:
+    """Any action; without the two of the thruster if `thrust` is False."""
+    some: list[st.SearchStrategy[Any]] = [st.just(Skip()), st.just(Fire()), st.builds(Turn, _angles)]
+    if thrust:
+        some += [st.just(Thrust()), st.just(ThrustOff())]
+    return st.one_of(some)
+
+
+def scripts(*, thrust: bool = True) -> st.SearchStrategy[Script]:
+    """Programs of up to eight actions, some of them ticks out of fuel."""
+    steps = st.one_of(actions(thrust=thrust), st.none())
+    return st.builds(Script, st.lists(steps, min_size=1, max_size=8).map(tuple))
+
+
+class _Scale(NamedTuple):
+    """Factors for lengths (km) and speeds (km/s), and the exponents of ships' masses."""
+
+    length: float
+    speed: float
+    masses: tuple[int, int]
+
+
+def _scales(flavour: str) -> st.SearchStrategy[_Scale]:
+    if flavour == "extreme":
+        return st.builds(
+            _Scale,
+            st.integers(-498, 490).map(lambda e: 2.0**e),
+            st.one_of(st.just(SPEED_OF_LIGHT), st.integers(-30, 5).map(lambda e: 10.0**e)),
+            st.just((-290, 290)),
+        )
+    speeds = st.sampled_from([64.0, 1.0, 1024.0, SPEED_OF_LIGHT])
+    lengths = st.sampled_from([1.0, 0.3, 17.0])
+    wide = flavour == "squeeze"
+    return st.builds(_Scale, lengths, speeds, st.just((-8, 8) if wide else (14, 16)))
+
+
+@st.composite
+def worlds(
+    draw: st.DrawFn,
+    *,
+    flavours: Sequence[str] = FLAVOURS,
+    min_size: int = 0,
+    max_size: int = 30,
+    kinds: Sequence[type[Entity]] = (Ship, Asteroid, Bullet),
+    thrusters: bool = False,
+    programs: bool = False,
+    model: str = "robust",
+) -> World:
+    """A valid world of `min_size` to `max_size` entities at time 0.
+
+    `kinds` are the kinds of entities to draw from; `thrusters` lets ships start with theirs on, `programs` lets
+    ships run a `Script` (with thrust only if `thrusters`).
+    """
+    flavour = draw(st.sampled_from(list(flavours)))
+    scale = draw(_scales(flavour))
+    count = draw(st.integers(min_size, max_size))
+    half = count // 2 if flavour == "twins" else count
+    columns = half if flavour == "squeeze" else draw(st.integers(1, max(half, 1)))
+    rows = -(-half // max(columns, 1))
+    pad = 1 if min(columns, rows) <= 1 else draw(st.integers(0, 1))
+    entities = [
+        draw(_entity(flavour, scale, kinds, i, columns, thrusters, programs)) for i in range(half)
+    ]
+    width = (max(columns, 1) + pad) * _CELL * scale.length
+    height = (max(rows, 1) + pad) * _CELL * scale.length
+    if flavour == "twins":
+        entities += [_mirrored(e, 2.0 * width) for e in entities]
+        width *= 2.0
+    world = World(width, height, draw(st.integers(0, 9)), model)
+    return world.add_all(_with_sources(entities))
+
+
+@st.composite
+def _entity(
+    draw: st.DrawFn, flavour: str, scale: _Scale, kinds: Sequence[type[Entity]], index: int,
+    columns: int, thrusters: bool, programs: bool,
+) -> Entity:  # fmt: skip
+    """An entity in the cell `index` of the lattice; a bullet's source is for `_with_sources` to settle."""
+    low, high = _FILL.get(flavour, (1 / 8, 0.9))
+    numbers, places = (_dyadic, st.just(0.5)) if flavour in ("corners", "twins") else (_signed, _unit)
+    fill = draw(st.just(low) if low == high else st.floats(low, high))
+    radius = 0.5 * _CELL * fill
+    room = _CELL - 2.0 * radius
+    column, row = index % columns, index // columns
+    across, up = draw(places), draw(places)
+    if flavour == "squeeze":
+        across, up = 0.5, 0.5
+    x = column * _CELL + radius + across * room
+    y = row * _CELL + radius + up * room
+    u, v = draw(numbers), draw(numbers)
+    if flavour == "corners":
+        v = u if draw(st.booleans()) else -u
+    if flavour == "squeeze":
+        v = 0.0
+    length, speed, _ = scale
+    moving = (x * length, y * length, u * speed, v * speed, radius * length)
+    limit = draw(st.sampled_from([SPEED_OF_LIGHT, SPEED_OF_LIGHT, min(1.5 * speed, SPEED_OF_LIGHT)]))
+    kind = draw(st.sampled_from(list(kinds)))
+    if kind is Asteroid:
+        return Asteroid(*moving, max_speed=limit)
+    if kind is Bullet:
+        return Bullet(*moving, 1, bounced=draw(st.booleans()), max_speed=limit)
+    mass = draw(st.floats(1.0, 9.0)) * 10.0 ** draw(st.integers(*scale.masses))
+    return Ship(
+        *moving,
+        mass,
+        draw(_angles),
+        thruster=thrusters and draw(st.booleans()),
+        program=draw(st.one_of(st.none(), scripts(thrust=thrusters))) if programs else None,
+        max_speed=limit,
+    )
+
+
+def _mirrored(e: Entity, width: float) -> Entity:
+    """The mirror image at the vertical line through the middle of a world."""
+    image = evolve(e, x=width - e.x, vx=-e.vx)
+    return evolve(image, direction=tau / 2 - image.direction) if isinstance(image, Ship) else image
+
+
+def _with_sources(entities: list[Entity]) -> list[Entity]:
+    """Bullets get the ships for sources, three each at the most, then ships long dead."""
+    ships = [i for i, e in enumerate(entities, 1) if isinstance(e, Ship) for _ in range(3)]
+    dead = len(entities) + 1000
+    return [
+        evolve(e, source=ships.pop() if ships else dead + i) if isinstance(e, Bullet) else e
+        for i, e in enumerate(entities)
+    ]
+
+
+@st.composite
+def discs(draw: st.DrawFn, kind: type[Entity] = Ship) -> Entity:
+    """One entity anywhere, with any finite numbers its constructor takes."""
+    numbers = st.floats(allow_nan=False, allow_infinity=False)
+    positive = st.floats(min_value=0.0, exclude_min=True, allow_infinity=False)
+    moving = [draw(numbers) for _ in range(4)] + [draw(positive)]
+    limit = draw(st.one_of(st.just(SPEED_OF_LIGHT), st.floats(0.0, SPEED_OF_LIGHT)))
+    if kind is Asteroid:
+        return Asteroid(*moving, max_speed=limit)
+    if kind is Bullet:
+        return Bullet(*moving, draw(st.integers(1, 9)), max_speed=limit)
+    return Ship(*moving, draw(positive), draw(_angles), max_speed=limit)
+
+
+@st.composite
+def pairs(draw: st.DrawFn) -> tuple[float, ...]:
+    """The ten numbers of a contact time (x, y, vx, vy, radius of i, then of j), hostile ones among them.
+
+    Any doubles, or a pair aimed at a hit, a graze or a near miss and moved by a few ulps, at any scale.
+    """
+    if draw(st.booleans()):
+        number = st.floats(allow_nan=False, allow_infinity=False)
+        positive = st.floats(min_value=0.0, exclude_min=True, allow_infinity=False)
+        i = [draw(number) for _ in range(4)] + [draw(positive)]
+        j = [draw(number) for _ in range(4)] + [draw(positive)]
+        return tuple(i + j)
+    length = 2.0 ** draw(st.integers(-500, 400))
+    speed = 2.0 ** draw(st.integers(-500, 17))
+    ri, rj = (draw(st.floats(1 / 1024, 1.0)) for _ in range(2))
+    far = draw(st.floats(1.0, 16.0)) * 2.0 ** draw(st.integers(0, 40))
+    graze = draw(st.sampled_from([0.0, 1.0, -1.0])) * (
+        1.0 + draw(st.sampled_from([0.0, 1.0, -1.0])) * 2.0 ** draw(st.integers(-60, -1))
+    )
+    offset = (ri + rj) * (graze if draw(st.booleans()) else draw(_signed))
+    turn = draw(st.integers(0, 3))
+    x, y, vx, vy = far, offset, -1.0, 0.0
+    for _ in range(turn):
+        x, y, vx, vy = -y, x, -vy, vx
+    px, py, pvx, pvy = (draw(_signed) for _ in range(4))
+    return (
+        px * length, py * length, pvx * speed, pvy * speed, ri * length,
+        (px + x) * length, (py + y) * length, (pvx + vx) * speed, (pvy + vy) * speed, rj * length,
+    )  # fmt: skip
