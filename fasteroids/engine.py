@@ -45,6 +45,7 @@ __all__ = [
     "Plan",
     "give",
     "needs",
+    "peek",
     "take",
 ]
 
@@ -372,3 +373,8 @@ def take(world: World) -> Engine:
 def give(world: World, engine: Engine) -> None:
     """Make a world the owner of an engine that is up to date with it."""
     world._box.append(engine)
+
+
+def peek(world: World) -> Engine | None:
+    """The engine a world has, left where it is, for who reads its counters; None if it has none."""
+    return world._box[0] if world._box else None

@@ -212,7 +212,7 @@ class Asteroid(_Disc):
 
     @property
     def mass(self) -> float:
-        """4/3 pi r^3 rho, kg; inf above 2.5e98 km, 0 below 8.4e-109 km."""
+        """4/3 pi r^3 rho, kg; inf above 2.5e98 km, 0 below 6.1e-113 km."""
         return sphere_mass(self.radius, ASTEROID_DENSITY)
 
 

@@ -87,6 +87,8 @@ def happenings(
     sooner. `ModelError` if `until` is nan, negative, infinite or before the world's clock, or if events pile up
     at one moment without end (see `storm_limit`).
     """
+    if max_events is not None and max_events < 0:
+        raise ModelError(f"max_events must be 0 or more, or None; got {max_events!r}")
     clock = clock_at(until)
     if clock[:2] < world.now:
         if until != world.time:
@@ -155,7 +157,7 @@ def _storm(world: World, due: Due) -> str:
     names = " and ".join(describe(f.entity) for f in (due[8], due[9]) if f is not None)
     return (
         f"more than {storm_limit(len(world))} events at the moment {seconds(due[0], due[1])!r} s, the last of "
-        f"{names}: the scene is too small or too fast for the resolution of its clock"
+        f"{names}: they have no room to move that the clock could resolve"
     )
 
 

@@ -120,8 +120,7 @@ def tick_moment(k: int) -> Moment:
 def tick_after(moment: Moment) -> int:
     """The smallest k whose tick comes after this moment."""
     window, offset = moment
-    k = int(Fraction(window * int(WINDOW)) * TICKS_PER_SECOND + int(offset * TICKS_PER_SECOND))
-    k = max(k - 1, 0)
+    k = max(window * int(WINDOW) * TICKS_PER_SECOND + int(offset * TICKS_PER_SECOND) - 1, 0)
     while tick_moment(k) <= moment:
         k += 1
     return k

@@ -343,5 +343,5 @@ def thrust(
 
 
 def sphere_mass(radius: float, density: float) -> float:
-    """4/3 pi r^3 rho in kg (1.3, 1.4); inf above 2.5e98 km and 0 below 8.4e-109 km at an asteroid's density."""
-    return 4.0 / 3.0 * pi * radius * radius * radius * density
+    """4/3 pi r^3 rho in kg (1.3, 1.4), the large factors first; inf or 0 only where the mass itself is no double."""
+    return 4.0 / 3.0 * pi * density * radius * radius * radius

@@ -1,11 +1,11 @@
 """Hypothesis strategies and helpers for those who test against Fasteroids (extra ``testing``).
 
-    from hypothesis import given
-    from fasteroids.testing import worlds, unfold
+from hypothesis import given
+from fasteroids.testing import worlds, unfold
 
-    @given(worlds())
-    def test_nothing_is_born_twice(world):
-        ...
+@given(worlds())
+def test_nothing_is_born_twice(world):
+    ...
 """
 
 from fasteroids.testing.failures import keeping as keeping

@@ -41,7 +41,11 @@ _angles = st.one_of(st.integers(0, 7).map(lambda n: n * tau / 8), st.floats(0.0,
 
 def actions(*, thrust: bool = True) -> st.SearchStrategy[Action]:
     """Any action; without the two of the thruster if `thrust` is False."""
-    some: list[st.SearchStrategy[Any]] = [st.just(Skip()), st.just(Fire()), st.builds(Turn, _angles)]
+    some: list[st.SearchStrategy[Any]] = [
+        st.just(Skip()),
+        st.just(Fire()),
+        st.builds(Turn, _angles),
+    ]
     if thrust:
         some += [st.just(Thrust()), st.just(ThrustOff())]
     return st.one_of(some)
@@ -118,7 +122,9 @@ def _entity(
 ) -> Entity:  # fmt: skip
     """An entity in the cell `index` of the lattice; a bullet's source is for `_with_sources` to settle."""
     low, high = _FILL.get(flavour, (1 / 8, 0.9))
-    numbers, places = (_dyadic, st.just(0.5)) if flavour in ("corners", "twins") else (_signed, _unit)
+    numbers, places = (
+        (_dyadic, st.just(0.5)) if flavour in ("corners", "twins") else (_signed, _unit)
+    )
     fill = draw(st.just(low) if low == high else st.floats(low, high))
     radius = 0.5 * _CELL * fill
     room = _CELL - 2.0 * radius
@@ -135,7 +141,9 @@ def _entity(
         v = 0.0
     length, speed, _ = scale
     moving = (x * length, y * length, u * speed, v * speed, radius * length)
-    limit = draw(st.sampled_from([SPEED_OF_LIGHT, SPEED_OF_LIGHT, min(1.5 * speed, SPEED_OF_LIGHT)]))
+    limit = draw(
+        st.sampled_from([SPEED_OF_LIGHT, SPEED_OF_LIGHT, min(1.5 * speed, SPEED_OF_LIGHT)])
+    )
     kind = draw(st.sampled_from(list(kinds)))
     if kind is Asteroid:
         return Asteroid(*moving, max_speed=limit)

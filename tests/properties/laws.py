@@ -10,6 +10,9 @@ from hypothesis import settings
 
 from fasteroids import Happened, World
 from fasteroids.engine import Engine, Plan, give
+from fasteroids.moments import Moment, between, resolution
+from fasteroids.overlap import depth, slack
+from fasteroids.state import located
 from fasteroids.testing import Run, unfold
 
 EVENTS = 40
@@ -47,15 +50,35 @@ def continued(world: World, times: Sequence[float], events: int = EVENTS) -> Run
     return Run(log, worlds, world)
 
 
-def with_clean_ties(log: Sequence[Happened]) -> list[Happened]:
-    """The log up to the first instant at which two events share an entity: there the order decides."""
+def before_ties(world: World, run: Run) -> list[Happened]:
+    """The log up to the first instant at which an entity has two things to do: there the order decides."""
     clean: list[Happened] = []
-    for i, happened in enumerate(log):
-        instant = [h for h in log if h.time == happened.time and h is not happened]
-        if any(set(h.entities) & set(happened.entities) for h in instant):
-            return [h for h in clean if h.time < log[i].time]
+    for happened, after in zip(run.log, run.worlds, strict=True):
+        if any(busy(world, after.now, i, happened) for i in happened.entities):
+            break
         clean.append(happened)
-    return clean
+        world = after
+    return [h for h in clean if len(clean) == len(run.log) or h.time < happened.time]
+
+
+def busy(world: World, now: Moment, entity_id: int, happened: Happened) -> bool:
+    """Does an entity touch something at `now` besides what `happened` tells?"""
+    here = {i: located(f, now) for i, f in world.all_flights().items()}
+    fine = {
+        i: 4.0 * slack(here[i], between(f.since, now), resolution(now))
+        for i, f in world.all_flights().items()
+    }
+    e = here[entity_id]
+    others = (i for i in here if i not in happened.entities)
+    if any(depth(e, here[i]) > -fine[entity_id] - fine[i] for i in others):
+        return True
+    walls = {
+        "left": e.radius - e.x,
+        "right": e.x - (world.width - e.radius),
+        "bottom": e.radius - e.y,
+        "top": e.y - (world.height - e.radius),
+    }
+    return any(out > -fine[entity_id] for side, out in walls.items() if side != happened.wall)
 
 
 def scaled(happened: Happened, length: float, time: float) -> Happened:

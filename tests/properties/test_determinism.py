@@ -21,7 +21,9 @@ def busy(model: str = "robust") -> World:
     return World(1024, 768, seed=3, model=model).add_all(
         [
             Ship(100, 100, 40, 30, 40, 5e15, 0.0, thruster=True),
-            Ship(500, 600, -70, 10, 30, 2e15, 0.0, program=Script((Fire(), Skip(), Fire(), Thrust()))),
+            Ship(
+                500, 600, -70, 10, 30, 2e15, 0.0, program=Script((Fire(), Skip(), Fire(), Thrust()))
+            ),
             *(
                 Asteroid(150 + 90 * i, 250 + 31 * (i % 3), 200 - 45 * i, 17 * i - 60, 12 + i)
                 for i in range(9)
@@ -51,6 +53,10 @@ def test_L11_determinism_across_processes() -> None:
     for seed in ("0", "1", "4242"):
         environment = {**os.environ, "PYTHONHASHSEED": seed}
         out = subprocess.run(
-            [sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True
+            [sys.executable, "-c", code],
+            env=environment,
+            capture_output=True,
+            text=True,
+            check=True,
         )
         assert digest(busy()) == out.stdout.strip()

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from hypothesis import given
+from hypothesis import given, reject
 from hypothesis import strategies as st
 
-from fasteroids import World, evolve, evolve_until
+from fasteroids import ModelError, World, evolve, evolve_until
 from fasteroids.testing import keeping, unfold, worlds
 from tests.properties.laws import EVENTS, continued, same, world_law
 
@@ -35,7 +35,11 @@ def test_L1_flow_without_watching(world: World, data: st.DataObject) -> None:
     end = whole.times[-1] if whole.log else 1.0
     cut = data.draw(st.floats(0.0, 1.0)) * end
     with keeping("L1_flow_without_watching", world):
-        assert evolve_until(world, end) == evolve_until(evolve_until(world, cut), end)
+        try:
+            whole_way = evolve_until(world, end)
+        except ModelError:  # jammed: see L14
+            reject()
+        assert whole_way == evolve_until(evolve_until(world, cut), end)
 
 
 @given(worlds(max_size=3, flavours=("ordinary",)), st.integers(1, 60))

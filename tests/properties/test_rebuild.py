@@ -38,4 +38,7 @@ def test_L2_rebuild_after_every_event(world: World) -> None:
             log += step.log
             worlds_.append(step.end)
             now = step.end
-        same(Run(whole.log, whole.worlds, whole.worlds[-1] if whole.log else world), Run(log, worlds_, now))
+        same(
+            Run(whole.log, whole.worlds, whole.worlds[-1] if whole.log else world),
+            Run(log, worlds_, now),
+        )

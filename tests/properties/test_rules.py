@@ -70,11 +70,16 @@ def check_children(before: World, after: World, happened: object) -> None:
     """Children lie on one line, fly apart with 1.5 times the speed, inside the parent's disc."""
     born = happened.born  # type: ignore[attr-defined]
     died = [i for i in happened.died if i in before]  # type: ignore[attr-defined]
-    parents = [before.flight_of(i) for i in died if isinstance(before.flight_of(i).entity, Asteroid)]
+    parents = [
+        before.flight_of(i) for i in died if isinstance(before.flight_of(i).entity, Asteroid)
+    ]
     children = [after[i] for i in born if i in after and isinstance(after[i], Asteroid)]
     assert len(children) == 2 * sum(f.entity.radius >= SPLIT_RADIUS for f in parents)
     for f, a, b in zip(
-        (f for f in parents if f.entity.radius >= SPLIT_RADIUS), children[::2], children[1::2], strict=True
+        (f for f in parents if f.entity.radius >= SPLIT_RADIUS),
+        children[::2],
+        children[1::2],
+        strict=True,
     ):
         p = located(f, after.now)
         scale = abs(p.x) + abs(p.y) + p.radius
