@@ -20,6 +20,8 @@ from fasteroids.events import evolve_until as evolve_until
 from fasteroids.events import happenings as happenings
 from fasteroids.events import time_to_contact as time_to_contact
 from fasteroids.events import time_to_wall as time_to_wall
+from fasteroids.scene import dump_scene as dump_scene
+from fasteroids.scene import load_scene as load_scene
 from fasteroids.state import World as World
 from fasteroids.units import ModelError as ModelError
 
@@ -37,9 +39,11 @@ __all__ = [
     "World",
     "act",
     "bounce",
+    "dump_scene",
     "evolve",
     "evolve_until",
     "happenings",
+    "load_scene",
     "time_to_contact",
     "time_to_wall",
 ]

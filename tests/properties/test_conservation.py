@@ -81,8 +81,8 @@ def test_L9_conservation_over_a_long_run() -> None:
         for i in range(10)
     )
     events = 1_000_000 if settings.default.max_examples >= 20_000 else 20_000
-    before, after = energy(world), world
-    for _, after in happenings(world, 1e9, max_events=events):
-        pass
-    assert energy(after) == pytest.approx(before, rel=1e-11, abs=0)
-    assert 10 == len(after)
+    end = world
+    for _, world_then in happenings(world, 1e9, max_events=events):
+        end = world_then
+    assert pytest.approx(energy(world), rel=1e-11, abs=0) == energy(end)
+    assert len(end) == 10

@@ -9,7 +9,7 @@ import sys
 
 from hypothesis import given
 
-from fasteroids import Asteroid, Bullet, Fire, Ship, Skip, Thrust, Turn, World
+from fasteroids import Asteroid, Bullet, Fire, Ship, Skip, Thrust, World
 from fasteroids.testing import Script, unfold, worlds
 from tests.properties.laws import EVENTS, same, world_law
 

@@ -8,6 +8,7 @@ from attrs import evolve
 from hypothesis import assume, given
 
 from fasteroids import Happened, Ship, World, evolve_until
+from fasteroids.chance import uniform
 from fasteroids.testing import keeping, unfold, worlds
 from tests.properties.laws import world_law
 
@@ -17,10 +18,15 @@ NUDGE = 2.0**-26
 
 
 def reversed_(world: World, nudge: float = 0.0) -> World:
-    """The world at its clock with velocities negated, the clock at 0; perhaps a little faster or slower."""
+    """The world at its clock with velocities negated, the clock at 0; nudged by some of the fastest speed."""
+    fastest = max(e.speed for e in world.entities.values())
+
+    def push(entity_id: int, axis: str) -> float:
+        return nudge * fastest * (2.0 * uniform(0, entity_id, axis) - 1.0)
+
     return World(world.width, world.height).add_all(
-        evolve(e, vx=-e.vx * (1.0 + nudge), vy=-e.vy * (1.0 - nudge), id=None)
-        for e in world.entities.values()
+        evolve(e, vx=push(i, "x") - e.vx, vy=push(i, "y") - e.vy, id=None)
+        for i, e in world.entities.items()
     )
 
 

@@ -14,7 +14,7 @@ from fasteroids.entities import Entity
 from fasteroids.models import MODELS
 from fasteroids.physics import bounce
 from fasteroids.testing import keeping, pairs, unfold, worlds
-from tests.properties.laws import EVENTS, scaled, before_ties, world_law
+from tests.properties.laws import EVENTS, before_ties, scaled, world_law
 
 Vector = tuple[float, float]
 Map = Callable[[float, float], Vector]
@@ -115,7 +115,7 @@ def test_L5_symmetry_of_units(world: World, length: int, speed: int) -> None:
         for e in world.entities.values()
     )
     with keeping("L5_symmetry_of_units", world):
-        first_window = [h for h in unfold(world, until=1023.0, events=EVENTS).log]
+        first_window = list(unfold(world, until=1023.0, events=EVENTS).log)
         expected = [scaled(h, km, km / km_s) for h in first_window]
         actual = unfold(resized, until=1023.0, events=EVENTS).log
         common = min(len(expected), len(actual))

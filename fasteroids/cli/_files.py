@@ -1,0 +1,235 @@
+"""Scenes in, lines and worlds out."""
+
+from __future__ import annotations
+
+import os
+import stat
+import sys
+from contextlib import suppress
+from difflib import get_close_matches
+from pathlib import Path
+from typing import IO
+
+import click
+
+from fasteroids.cli._guard import Refusal, mute, reason
+from fasteroids.scene import SceneError, load_scene
+from fasteroids.state import World
+
+__all__ = ["STDIO", "Lines", "check_outputs", "open_scene", "shipped", "write_whole"]
+
+STDIO = "-"
+
+_MOST_BYTES = 64 * 1024 * 1024
+"""Longer files are no scenes. A limit, so that a slip (a device, a disk image) does not fill the memory."""
+
+_BATCH = 64 * 1024  # characters that lines to a file wait for
+
+
+# Scenes.
+
+
+def shipped() -> dict[str, str]:
+    """The scenes that come with the package: text by name."""
+    from importlib.resources import files  # not needed for a path
+
+    folder = files("fasteroids") / "scenes"
+    if not folder.is_dir():
+        return {}
+    return {
+        each.name.removesuffix(".toml"): each.read_text(encoding="utf-8")
+        for each in sorted(folder.iterdir(), key=lambda each: each.name)
+        if each.name.endswith(".toml")
+    }
+
+
+def open_scene(scene: str, *, seed: int | None, model: str | None) -> tuple[str, World]:
+    """What to call a scene, and its world: a path, '-' for standard input, or a shipped one. A path wins.
+
+    `seed` and `model` replace those of the file. `Refusal` says what is wrong with it.
+    """
+    title, text = _text_of(scene)
+    try:
+        return title, load_scene(text, seed=seed, model=model)
+    except SceneError as error:
+        count = len(error.problems)
+        head = f"{title} has {count} problems:\n" if count > 1 else f"{title}: "
+        raise Refusal(head + str(error)) from None
+
+
+def _text_of(scene: str) -> tuple[str, str]:
+    if scene == STDIO:
+        if sys.stdin is None:
+            raise Refusal("standard input is closed")
+        return "standard input", _decoded("standard input", _read(sys.stdin.buffer))
+    path = Path(scene)
+    if not path.exists() and path.name == scene and (text := shipped().get(scene)) is not None:
+        return scene, text
+    try:
+        with path.open("rb") as file:
+            title = path.name if path.name.isprintable() else repr(path.name)
+            return title, _decoded(title, _read(file))
+    except FileNotFoundError:
+        raise Refusal(_missing(scene)) from None
+    except OSError as error:
+        raise Refusal(f"cannot read {reason(error)}") from None
+
+
+def _read(file: IO[bytes]) -> bytes:
+    data = file.read(_MOST_BYTES + 1)
+    if len(data) > _MOST_BYTES:
+        raise Refusal(f"a scene has at most {_MOST_BYTES} bytes; this one has more")
+    return data
+
+
+def _decoded(title: str, data: bytes) -> str:
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = error.object.count(b"\n", 0, error.start) + 1
+        byte = error.object[error.start]
+        raise Refusal(
+            f"{title}: a scene is text in UTF-8; the byte {byte:#04x} on line {line} is not"
+        ) from None
+
+
+def _missing(scene: str) -> str:
+    names = list(shipped())
+    near = get_close_matches(scene, names, n=1)
+    hint = f" (did you mean {near[0]!r}?)" if near else ""
+    known = f", or one of these: {', '.join(names)}" if names else ""
+    return f"there is no scene {scene!r}{hint}; give a file, '-' for standard input{known}"
+
+
+# Outputs.
+
+
+def check_outputs(scene: str, outputs: dict[str, str | None]) -> None:
+    """Refuse what cannot work, before anything is written. `outputs` are the values of options by their names.
+
+    Two outputs in one file, or on standard output; the scene's own file; folders, and places in none.
+    """
+    owners: dict[str, str] = {}
+    if scene != STDIO and Path(scene).is_file():
+        owners[os.path.realpath(scene)] = "the scene"
+    for option, value in outputs.items():
+        if value is None:
+            continue
+        place = STDIO if value == STDIO else os.path.realpath(value)
+        if place in owners:
+            where = "standard output" if place == STDIO else repr(value)
+            raise click.UsageError(f"{option} and {owners[place]} cannot both be {where}")
+        path = Path(place)
+        if place == STDIO or not path.exists() or path.is_file():
+            owners[place] = option
+        if place != STDIO:
+            folder = path.parent
+            if path.is_dir():
+                raise Refusal(f"cannot write {value!r}: it is a folder")
+            if not folder.is_dir():
+                raise Refusal(f"cannot write {value!r}: there is no folder {str(folder)!r}")
+            if not os.access(path if path.exists() else folder, os.W_OK):
+                raise Refusal(f"cannot write {value!r}: permission denied")
+
+
+class Lines:
+    """Whole lines, to a file or to standard output ('-'), in UTF-8. A context manager.
+
+    A terminal or a pipe gets each line at once, a file many together; either way nothing is handed to the
+    system but whole lines. `count` is how many there were; `gone` says that nobody reads them any more.
+    """
+
+    def __init__(self, place: str) -> None:
+        self.place, self.count, self.gone = place, 0, False
+        self._waiting: list[str] = []
+        self._size = 0
+        self._stream: IO[bytes] | None = None
+        if place == STDIO:
+            if sys.stdout is not None:
+                sys.stdout.flush()
+                self._stream = getattr(sys.stdout, "buffer", None)
+        else:
+            try:
+                self._stream = Path(place).open("wb")  # noqa: SIM115 - closed by `close`
+            except OSError as error:
+                raise Refusal(f"cannot write {reason(error)}") from None
+        self._live = not _is_plain(self._stream)
+
+    def __enter__(self) -> Lines:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def write(self, line: str) -> None:
+        """One line, given without its end."""
+        self._waiting.append(line)
+        self._size += len(line)
+        self.count += 1
+        if self._live or self._size > _BATCH:
+            self.flush()
+
+    def flush(self) -> None:
+        """Hand what waits to the system."""
+        if not self._waiting:
+            return
+        data = "".join(f"{line}\n" for line in self._waiting)
+        self._waiting, self._size = [], 0
+        if self._stream is None:
+            return
+        try:
+            self._stream.write(data.encode("utf-8", "backslashreplace"))
+            self._stream.flush()
+        except BrokenPipeError:
+            self._let_go()
+        except OSError as error:
+            self._let_go()
+            name = "standard output" if self.place == STDIO else repr(self.place)
+            raise Refusal(f"cannot write {name}: {error.strerror}") from None
+
+    def close(self) -> None:
+        """Hand over what waits, and close a file."""
+        self.flush()
+        if self._stream is not None and self.place != STDIO:
+            self._stream.close()
+
+    def _let_go(self) -> None:
+        """Write nothing any more: what is in the buffer of the stream cannot be written either."""
+        stream, self._stream, self.gone = self._stream, None, True
+        if self.place == STDIO:
+            mute()
+        elif stream is not None:
+            with suppress(OSError):
+                stream.close()
+
+
+def _is_plain(stream: IO[bytes] | None) -> bool:
+    """Is this a plain file on disk?"""
+    try:
+        return stream is not None and stat.S_ISREG(os.fstat(stream.fileno()).st_mode)
+    except (OSError, ValueError):
+        return False
+
+
+def write_whole(place: str, text: str) -> None:
+    """Write a text to a file so that the file has all of it or is as it was; '-' is standard output.
+
+    A new file beside it takes its place. What is no plain file (a device, a pipe) is written to as it is.
+    """
+    target = Path(os.path.realpath(place))
+    if place == STDIO or (target.exists() and not target.is_file()):
+        with Lines(place) as lines:
+            lines.write(text.removesuffix("\n"))
+        return
+    beside = target.with_name(f".{target.name}.{os.getpid()}")
+    try:
+        try:
+            with beside.open("xb") as file:
+                file.write(text.encode("utf-8"))
+            if target.exists():
+                beside.chmod(stat.S_IMODE(target.stat().st_mode))
+            beside.replace(target)
+        finally:
+            beside.unlink(missing_ok=True)
+    except OSError as error:
+        raise Refusal(f"cannot write {place!r}: {error.strerror}") from None

@@ -1,0 +1,178 @@
+"""Scenes: what is written comes back, with the same future, bit for bit."""
+
+from __future__ import annotations
+
+from attrs import evolve as with_fields
+from hypothesis import given
+from hypothesis import strategies as st
+
+from fasteroids import Asteroid, ModelError, Ship, World, act, evolve
+from fasteroids.moments import clock_at
+from fasteroids.overlap import depth, overhang
+from fasteroids.scene import SceneError, dump_scene, load_scene
+from fasteroids.testing import actions, unfold, worlds
+from tests.properties.laws import EVENTS, same, world_law
+
+STARTS = st.sampled_from([0.0, 0.0, 5000.3, 1e9 + 0.7, 1e300])
+"""Seconds: when a world begins. The later, the coarser its clock."""
+
+
+def begun_at(world: World, time: float) -> World:
+    """A world like this one, everything in it added at a time (s)."""
+    empty = World(world.width, world.height, world.seed, world.model, clock=clock_at(time))
+    return empty.add_all(world.entities.values())
+
+
+def check_round_trip(world: World) -> World:
+    """Writing and reading gives an equal world, the same bits in it, and the same text again."""
+    text = dump_scene(world)
+    back = load_scene(text)
+    assert back == world
+    assert repr(back.all_flights()) == repr(world.all_flights())  # tells 0.0 from -0.0
+    assert back.clock == world.clock
+    assert back.roster.next_id == world.roster.next_id
+    assert dump_scene(back) == text
+    return back
+
+
+@world_law
+@given(worlds(thrusters=True), STARTS, st.integers(0, EVENTS))
+def test_scene_of_a_world_just_after_an_event(world: World, start: float, events: int) -> None:
+    world = unfold(begun_at(world, start), events=events).end
+    back = check_round_trip(world)
+    same(unfold(world, events=EVENTS), unfold(back, events=EVENTS))
+
+
+@world_law
+@given(worlds(thrusters=True), STARTS, st.integers(0, EVENTS), st.data())
+def test_scene_of_a_world_between_events(
+    world: World, start: float, events: int, data: st.DataObject
+) -> None:
+    run = unfold(begun_at(world, start), events=events + 1)
+    if len(run.log) > events and events > 0:
+        before, gap = run.worlds[-2], run.log[-1].time - run.log[-2].time
+        steps = data.draw(st.integers(1, 3))
+        for _ in range(steps):  # sums of steps leave a residue on the clock
+            before = evolve(before, gap * 0.3)
+        back = check_round_trip(before)
+        same(unfold(before, events=EVENTS), unfold(back, events=EVENTS))
+
+
+@world_law
+@given(worlds(min_size=1, kinds=(Ship, Asteroid)), st.lists(actions(), max_size=8), st.data())
+def test_scene_of_a_world_that_was_played(
+    world: World, moves: list[object], data: st.DataObject
+) -> None:
+    for move in moves:
+        if not world.ships:
+            break
+        world = act(world, data.draw(st.sampled_from([s.id for s in world.ships])), move)
+        world = unfold(world, events=data.draw(st.integers(0, 4))).end
+    back = check_round_trip(world)
+    same(unfold(world, events=EVENTS), unfold(back, events=EVENTS))
+
+
+@world_law
+@given(worlds(model="spec"), STARTS, st.integers(0, EVENTS))
+def test_scene_of_a_world_whose_model_promises_little(
+    world: World, start: float, events: int
+) -> None:
+    world = unfold(begun_at(world, start), events=events).end
+    back = check_round_trip(world)
+    same(unfold(world, events=EVENTS), unfold(back, events=EVENTS))
+
+
+@world_law
+@given(worlds(), st.data())
+def test_scene_of_a_world_with_gaps_and_names(world: World, data: st.DataObject) -> None:
+    names = st.one_of(st.none(), st.sampled_from(['"', "\\", "é ☃", "'''", "a # b", "[world]"]))
+    named = World(world.width, world.height, data.draw(st.integers(-(10**30), 10**30)))
+    for e in world.entities.values():
+        named = named.add(with_fields(e, name=data.draw(names), id=e.id * 3))
+    for entity_id in data.draw(st.lists(st.sampled_from([0, *named.entities]), unique=True)):
+        named = named.remove(entity_id) if entity_id else named
+    check_round_trip(named)
+
+
+# Fields of asteroids.
+
+FIELD = """
+[world]
+width = {width!r}
+height = 500
+seed = {seed}
+
+[[ship]]
+x = {x!r}
+y = 250.0
+radius = 20
+mass = 1e15
+
+[[asteroid-field]]
+count = {count}
+radius = [{low!r}, 15]
+speed = [10, 50]
+clear = {clear!r}
+"""
+
+
+def field(**changed: object) -> World:
+    """A world with a field of asteroids."""
+    usual = {"width": 800.0, "seed": 1, "x": 400.0, "count": 40, "low": 5.0, "clear": 30.0}
+    return load_scene(FIELD.format(**{**usual, **changed}))
+
+
+@given(
+    st.floats(700.0, 1e6), st.integers(), st.integers(1, 60), st.floats(0.1, 15.0), st.floats(0, 60)
+)
+def test_a_field_is_inside_apart_and_clear(
+    width: float, seed: int, count: int, low: float, clear: float
+) -> None:
+    world = field(width=width, seed=seed, count=count, low=low, clear=clear)
+    (ship,), asteroids = world.ships, world.asteroids
+    assert len(asteroids) == count
+    for i, a in enumerate(asteroids):
+        assert low <= a.radius <= 15.0
+        assert 9.999 < a.speed < 50.001
+        assert overhang(a, width, 500.0) <= 0.0
+        assert -depth(a, ship) >= clear
+        assert all(depth(a, b) <= 0.0 for b in asteroids[:i])
+
+
+@given(st.integers(), st.floats(100.0, 700.0), st.floats(100.0, 700.0))
+def test_moving_a_ship_changes_the_luck_of_few(seed: int, x1: float, x2: float) -> None:
+    one, other = (field(seed=seed, x=x, count=15).asteroids for x in (x1, x2))
+    luck = [(a.radius, a.vx, a.vy) for a in one]
+    assert luck == [(a.radius, a.vx, a.vy) for a in other]
+    ships = [field(seed=seed, x=x, count=1).ships[0] for x in (x1, x2)]
+    for a, b in zip(one, other, strict=True):
+        near = [e for e in (a, b) for ship in ships if -depth(e, ship) < 30.0]
+        crowded = [c for c in (*one, *other) for e in (a, b) if 0 < depth(c, e) and c not in (a, b)]
+        assert a == b or near or crowded
+
+
+# Any text.
+
+_WORDS = st.sampled_from(
+    "[world] [[ship]] [[asteroid]] [[bullet]] [[asteroid-field]] x y vx radius mass id since time width"
+    ' height source count name seed model = = = = 1 2 10 1e400 inf nan -1 true "a" \'\'\' """ [ ] [1,2]'
+    " { } # . , \\ \n \n \n \n \n \r\n \x00 é 1979-05-27 0x1F".split(" ")
+)
+TEXTS = st.one_of(
+    st.text(max_size=60),
+    st.lists(_WORDS, max_size=40).map(" ".join),
+    st.lists(_WORDS, max_size=40).map("".join),
+)
+
+
+@given(TEXTS)
+def test_any_text_is_a_world_or_a_list_of_problems(text: str) -> None:
+    try:
+        world = load_scene(text)
+    except SceneError as error:
+        assert error.problems
+        assert str(error).split("\n") == [str(problem) for problem in error.problems]
+        assert all(p.line is None or 1 <= p.line <= text.count("\n") + 1 for p in error.problems)
+        assert isinstance(error, ModelError)
+    else:
+        assert load_scene(dump_scene(world)) == world
