@@ -2,4 +2,5 @@
 
 from fasteroids.cli import main
 
-main(prog_name="fasteroids")
+if __name__ == "__main__":
+    main(prog_name="fasteroids")

@@ -24,6 +24,7 @@ Path: TypeAlias = tuple[str | int, ...]
 
 _MOST_SYNTAX_ERRORS = 20
 _LONGEST = 60  # characters of a value in a message
+_LONGEST_KEY = 1000  # characters of a key that has a line of its own
 
 
 @frozen
@@ -111,17 +112,19 @@ BARE = re.compile(r"[A-Za-z0-9_-]+")
 class _Layout:
     """Of each line (from 0): the line its statement begins on, and whether it begins inside a string.
 
-    `open`: does the last statement lack a closing bracket?
+    `open`: does the last statement lack a closing bracket? `stray`: the first line with a quote that nothing
+    closes, None if there is none.
     """
 
     starts: list[int]
     in_string: list[bool]
     open: bool
+    stray: int | None
 
 
 def _layout(text: str) -> _Layout:
     starts, in_string = [0], [False]
-    depth, header, fresh = 0, False, True
+    depth, header, fresh, stray = 0, False, True, None
     for match in _TOKEN.finditer(text):
         token = match.group()
         if token == "\n":
@@ -142,7 +145,9 @@ def _layout(text: str) -> _Layout:
             depth -= 1
         elif token.strip():
             fresh = False
-    return _Layout(starts, in_string, depth > 0)
+            if token in ("'", '"') and stray is None:
+                stray = len(starts) - 1
+    return _Layout(starts, in_string, depth > 0, stray)
 
 
 # Reading.
@@ -184,6 +189,8 @@ def parsed(text: str) -> dict[str, Any]:
                 break
             given = shown_line(lines[place.line])
             problems.append(Problem(place.line + 1, None, None, given, f"not TOML: {message}"))
+            if not any(lines[place.first : place.last + 1]):
+                break  # nothing left to leave out
             _leave_out(lines, place, len(problems))
         else:
             if not problems:
@@ -218,8 +225,10 @@ def _located(message: str, source: str) -> tuple[_Place | None, str]:
             return None, message
         line, reason = source.count("\n", 0, number.start()), "an integer has too many digits"
     elif match[2] is None:
-        start = layout.starts[-1]
         reason = f"{_lowered(match[1])}, and the file ends"
+        if layout.stray is not None:
+            return _Place(layout.stray, layout.stray, layout.stray), reason
+        start = layout.starts[-1]
         return _Place(start, start, len(layout.starts) - 1), reason
     else:
         line, reason = int(match[2]) - 1, f"{_lowered(match[1])} at column {match[3]}"
@@ -285,8 +294,11 @@ def lines_of(text: str) -> dict[Path, int]:
 
 
 def _keys(text: str) -> list[str]:
-    """The parts of a key or a header. tomllib undoes quotes and escapes where there are any."""
-    if BARE.fullmatch(text.strip()):
+    """The parts of a key or a header. tomllib undoes quotes and escapes where there are any.
+
+    A key of absurd length counts as one part: nobody looks for it, and tomllib takes quadratic time for it.
+    """
+    if BARE.fullmatch(text.strip()) or len(text) > _LONGEST_KEY:
         return [text.strip()]
     node = tomllib.loads(text if text.lstrip().startswith("[") else f"{text}=0")
     parts: list[str] = []

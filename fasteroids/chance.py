@@ -16,7 +16,7 @@ def uniform(seed: int, entity_id: int, purpose: str) -> float:
 
     The first 53 bits of the BLAKE2b hash of the three arguments.
     """
-    text = f"{seed}:{entity_id}:{purpose}".encode()
+    text = f"{seed:x}:{entity_id:x}:{purpose}".encode()
     bits = int.from_bytes(hashlib.blake2b(text, digest_size=8).digest(), "big") >> 11
     return math.ldexp(bits, -53)
 

@@ -12,9 +12,8 @@ gives one; ``name`` is for people.
 from __future__ import annotations
 
 from math import cos, inf, sin, sqrt, tau
-from numbers import Real
 from sys import float_info
-from typing import TypeAlias
+from typing import TypeAlias, final
 
 from attrs import evolve, field, frozen
 
@@ -27,22 +26,13 @@ from fasteroids.units import (
     SPEED_OF_LIGHT,
     THRUST,
     ModelError,
+    number,
     shown,
 )
 
 MAX_FLOAT = float_info.max
 
-__all__ = ["Asteroid", "Bullet", "Entity", "Ship", "id_of", "moving", "number", "wrapped"]
-
-
-def number(value: object, what: str) -> float:
-    """`value` as a float (huge integers become infinite), or `ModelError` naming `what`."""
-    if not isinstance(value, Real) or isinstance(value, bool):
-        raise ModelError(f"{what} must be a number; got {shown(value)}")
-    try:
-        return float(value)
-    except OverflowError:
-        return inf if value > 0 else -inf  # type: ignore[operator]
+__all__ = ["Asteroid", "Bullet", "Entity", "Ship", "checked", "id_of", "moving", "wrapped"]
 
 
 def _finite(value: object, what: str, unit: str) -> float:
@@ -122,6 +112,7 @@ class _Disc:
         return sqrt(self.vx * self.vx + self.vy * self.vy)
 
 
+@final
 @frozen(weakref_slot=False)
 class Ship(_Disc):
     """A space craft: a disc with a mass, a direction and a thruster, perhaps flown by a program.
@@ -173,7 +164,9 @@ class Ship(_Disc):
         )
         if not isinstance(self.thruster, bool):
             raise ModelError(f"thruster must be True or False; got {shown(self.thruster)}")
-        if self.program is not None and not isinstance(self.program, Program):
+        if self.program is not None and (
+            isinstance(self.program, type) or not isinstance(self.program, Program)
+        ):
             raise ModelError(
                 f"program must be a checked program or None; got {shown(self.program)}"
             )
@@ -191,6 +184,7 @@ class Ship(_Disc):
         return a * cos(self.direction), a * sin(self.direction)
 
 
+@final
 @frozen(weakref_slot=False)
 class Asteroid(_Disc):
     """A rock of density 2.65e12 kg/km^3 (1.3).
@@ -215,7 +209,13 @@ class Asteroid(_Disc):
         """4/3 pi r^3 rho, kg; inf above 2.5e98 km, 0 below 6.1e-113 km."""
         return sphere_mass(self.radius, ASTEROID_DENSITY)
 
+    @property
+    def density(self) -> float:
+        """kg/km^3."""
+        return ASTEROID_DENSITY
 
+
+@final
 @frozen(weakref_slot=False)
 class Bullet(_Disc):
     """A bullet of density 7.8e12 kg/km^3, fired by the ship `source` (1.4).
@@ -257,6 +257,11 @@ class Bullet(_Disc):
         """4/3 pi r^3 rho, kg; inf or 0 at extreme radii, as for an asteroid."""
         return sphere_mass(self.radius, BULLET_DENSITY)
 
+    @property
+    def density(self) -> float:
+        """kg/km^3."""
+        return BULLET_DENSITY
+
 
 Entity: TypeAlias = Ship | Asteroid | Bullet
 
@@ -280,6 +285,13 @@ def moving(e: Entity, x: float, y: float, vx: float, vy: float, *, bounced: bool
     return _bullet(
         x, y, vx, vy, e.radius, e.source, e.bounced or bounced, e.name, e.max_speed, e.id
     )
+
+
+def checked(value: object, what: str) -> Entity:
+    """`value` if it is a ship, an asteroid or a bullet, else `ModelError` naming `what`."""
+    if type(value) not in (Ship, Asteroid, Bullet):
+        raise ModelError(f"{what} must be a ship, an asteroid or a bullet; got {shown(value)}")
+    return value  # type: ignore[return-value]
 
 
 def id_of(e: Entity) -> int:

@@ -15,12 +15,12 @@ from fasteroids import models, rules
 from fasteroids._raw import raw
 from fasteroids.actions import Action
 from fasteroids.engine import TICK, WALLS, Due, Engine, give, take
-from fasteroids.entities import Entity, id_of
+from fasteroids.entities import Entity, checked, id_of
 from fasteroids.moments import Clock, advanced, clock_at, seconds
 from fasteroids.overlap import own_bullet
 from fasteroids.physics import NEVER, wall_time
 from fasteroids.state import Flight, World, describe, replaced
-from fasteroids.units import ModelError
+from fasteroids.units import ModelError, shown
 
 __all__ = [
     "Happened",
@@ -72,7 +72,7 @@ class Happened:
         if self.reason:
             parts.append(f"because {self.reason}")
         parts += [f"prints {line}" for line in self.prints]
-        return ", ".join(parts)
+        return "".join(c if c.isprintable() else repr(c)[1:-1] for c in ", ".join(parts))
 
 
 _happened = raw(Happened)
@@ -87,8 +87,10 @@ def happenings(
     sooner. `ModelError` if `until` is nan, negative, infinite or before the world's clock, or if events pile up
     at one moment without end (see `storm_limit`).
     """
-    if max_events is not None and max_events < 0:
-        raise ModelError(f"max_events must be 0 or more, or None; got {max_events!r}")
+    if max_events is not None and (type(max_events) is not int or max_events < 0):
+        raise ModelError(
+            f"max_events must be an integer, 0 or more, or None; got {shown(max_events)}"
+        )
     clock = clock_at(until)
     if clock[:2] < world.now:
         if until != world.time:
@@ -142,14 +144,13 @@ def _unfold(
         if crowd > 10_000 and crowd > storm_limit(engine.living):
             raise ModelError(_storm(world, due))
         previous = moment
-        give(world, engine)
         happened, world = _happen(world, engine, due)
         yield happened, world
         engine = take(world)
         left -= 1
-    give(world, engine)
     if left != 0:
-        world, _ = _cut(world, engine, until)
+        return _cut(world, engine, until)[0]
+    give(world, engine)
     return world
 
 
@@ -162,9 +163,7 @@ def _storm(world: World, due: Due) -> str:
 
 
 def _cut(world: World, engine: Engine, clock: Clock) -> tuple[World, tuple[int, ...]]:
-    """Bring the world to the end of an advance: only a thrusting ship notices (1.6). Also the ids clipped."""
-    if world.clock == clock and not engine.thrusters:
-        return world, ()
+    """The world at the end of an advance: only a thrusting ship notices (1.6). Also the ids clipped."""
     kicks, clipped = [], []
     for slot in sorted(engine.thrusters):
         f = engine.flights[slot]
@@ -174,7 +173,7 @@ def _cut(world: World, engine: Engine, clock: Clock) -> tuple[World, tuple[int, 
             kicks.append((slot, after))
         if fast:
             clipped.append(id_of(f.entity))
-    return replaced(world, clock, kicks, (), ()), tuple(sorted(clipped))
+    return replaced(world, clock, kicks, (), (), cache=engine), tuple(sorted(clipped))
 
 
 def _happen(world: World, engine: Engine, due: Due) -> tuple[Happened, World]:
@@ -184,6 +183,7 @@ def _happen(world: World, engine: Engine, due: Due) -> tuple[Happened, World]:
     kicked: tuple[int, ...] = ()
     if engine.thrusters:
         world, kicked = _cut(world, engine, clock)
+        take(world)  # no world may own the engine while an event is half done
         f = engine.flights[slot] or f
         g = g and engine.flights[other]
     entities: tuple[int, ...] = (low,)
@@ -201,7 +201,7 @@ def _happen(world: World, engine: Engine, due: Due) -> tuple[Happened, World]:
         kind, side = "wall", WALLS[rank]
         change = rules.wall(world, moment, f, side)
     effect, flights, born, dead, clipped, passing, at = change
-    world = _changed(world, clock, zip((slot, other), flights, strict=False), change)
+    world = _changed(world, clock, zip((slot, other), flights, strict=False), change, engine)
     if born or passing:
         births = tuple(sorted((*passing, *(id_of(b.entity) for b in born))))
         dead = tuple(sorted((*passing, *dead)))
@@ -219,10 +219,14 @@ def _happen(world: World, engine: Engine, due: Due) -> tuple[Happened, World]:
 
 
 def _changed(
-    world: World, clock: Clock, changed: Iterable[tuple[int, Flight]], change: rules.Change
+    world: World,
+    clock: Clock,
+    changed: Iterable[tuple[int, Flight]],
+    change: rules.Change,
+    engine: Engine | None,
 ) -> World:
     next_id = change.passing[-1] + 1 if change.passing else 1
-    return replaced(world, clock, tuple(changed), change.born, change.dead, next_id)
+    return replaced(world, clock, tuple(changed), change.born, change.dead, next_id, engine)
 
 
 def act(world: World, ship_id: int, action: Action) -> World:
@@ -233,7 +237,7 @@ def act(world: World, ship_id: int, action: Action) -> World:
     """
     slot = world.slot_of(ship_id)
     change = rules.apply(world, world.flight_of(ship_id), action)
-    return _changed(world, world.clock, ((slot, f) for f in change.changed), change)
+    return _changed(world, world.clock, ((slot, f) for f in change.changed), change, None)
 
 
 def time_to_contact(a: Entity, b: Entity, *, model: str = models.DEFAULT) -> float:
@@ -242,7 +246,7 @@ def time_to_contact(a: Entity, b: Entity, *, model: str = models.DEFAULT) -> flo
     0.0 if they overlap and approach. A bullet and its own ship never meet.
     """
     level = models.named(model)
-    if own_bullet(a, b):
+    if own_bullet(checked(a, "the first"), checked(b, "the second")):
         return NEVER
     return level.contact_time(a.x, a.y, a.vx, a.vy, a.radius, b.x, b.y, b.vx, b.vy, b.radius)
 
@@ -252,7 +256,8 @@ def time_to_wall(entity: Entity, world: World) -> tuple[float, tuple[str, ...]]:
 
     (infinity, ()) if it never does, two walls if it runs into a corner.
     """
-    e, r = entity, entity.radius
+    e = checked(entity, "what meets a wall")
+    r = e.radius
     tx = wall_time(e.x, e.vx, r, world.width - r)
     ty = wall_time(e.y, e.vy, r, world.height - r)
     t = min(tx, ty)
@@ -267,4 +272,4 @@ def bounce(a: Entity, b: Entity) -> tuple[Entity, Entity]:
 
     If they do not approach nothing changes.
     """
-    return rules.bounce(a, b)
+    return rules.bounce(checked(a, "the first"), checked(b, "the second"))

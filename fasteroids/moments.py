@@ -15,7 +15,7 @@ from __future__ import annotations
 from fractions import Fraction
 from math import inf, ulp
 
-from fasteroids.units import TICKS_PER_SECOND, WINDOW, ModelError, shown
+from fasteroids.units import TICKS_PER_SECOND, WINDOW, ModelError, number, shown
 
 __all__ = [
     "ORIGIN",
@@ -43,6 +43,9 @@ ORIGIN: Moment = (0, 0.0)
 START: Clock = (0, 0.0, 0.0)
 
 
+_LAST_WINDOW = 2**1014 - 1  # in it the seconds since the start are still a double
+
+
 def moment_at(time: float) -> Moment:
     """The moment `time` s after the start, exactly. `time` is finite and not negative."""
     windows, offset = divmod(time, WINDOW)
@@ -57,10 +60,7 @@ def clock_at(time: float) -> Clock:
 
 def checked_time(time: float, what: str) -> float:
     """`time` as a float; `ModelError` if it is no number, nan, negative or infinite."""
-    try:
-        value = float(time)
-    except (TypeError, ValueError, OverflowError):
-        value = -1.0
+    value = number(time, what)
     if not 0.0 <= value < inf:
         raise ModelError(f"{what} must be a finite number of seconds, 0 or more; got {shown(time)}")
     return value
@@ -92,6 +92,8 @@ def advanced(clock: Clock, dt: float) -> Clock:
     windows, step = divmod(checked_time(dt, "a step"), WINDOW)
     window, offset, residue = clock
     window += int(windows)
+    if window >= _LAST_WINDOW:
+        raise ModelError(f"the clock cannot go {shown(dt)} s beyond {seconds(*clock[:2])!r} s")
     total = offset + step
     part = total - offset  # two-sum: total + error = offset + step, exactly
     error = (offset - (total - part)) + (step - part)
@@ -120,7 +122,12 @@ def tick_moment(k: int) -> Moment:
 def tick_after(moment: Moment) -> int:
     """The smallest k whose tick comes after this moment."""
     window, offset = moment
-    k = max(window * int(WINDOW) * TICKS_PER_SECOND + int(offset * TICKS_PER_SECOND) - 1, 0)
-    while tick_moment(k) <= moment:
-        k += 1
-    return k
+    low = max(window * int(WINDOW) * TICKS_PER_SECOND + int(offset * TICKS_PER_SECOND) - 1, 0)
+    step = 1
+    while tick_moment(low + step) <= moment:  # late, many k share one double
+        step *= 2
+    while step > 1:
+        step //= 2
+        if tick_moment(low + step) <= moment:
+            low += step
+    return low + 1 if tick_moment(low) <= moment else low

@@ -35,8 +35,8 @@ def slack(e: Entity, age: float, resolution: float, speed: float | None = None) 
     """
     if speed is None:
         speed = abs(e.vx) + abs(e.vy)
-    flown = (abs(e.vx) + abs(e.vy)) * age
-    return _ROUNDINGS * (abs(e.x) + abs(e.y) + e.radius + flown) + speed * resolution
+    far = _ROUNDINGS * abs(e.x) + _ROUNDINGS * abs(e.y) + _ROUNDINGS * e.radius
+    return far + _ROUNDINGS * (abs(e.vx) + abs(e.vy)) * age + speed * resolution
 
 
 def depth(a: Entity, b: Entity) -> float:

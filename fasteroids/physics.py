@@ -15,7 +15,7 @@ would pass. It does not cancel for distant targets, where b^2 and a r.r agree to
 
 from __future__ import annotations
 
-from math import frexp, inf, isqrt, ldexp, nan, nextafter, pi, sqrt
+from math import frexp, inf, isqrt, ldexp, nan, pi, sqrt
 
 __all__ = [
     "NEVER",
@@ -258,7 +258,7 @@ def limit_speed(vx: float, vy: float, limit: float) -> tuple[float, float]:
     """The velocity itself if sqrt(vx^2 + vy^2) as computed is at most `limit`, else scaled back to it (km/s).
 
     Total (assignment 1.2): nan counts as 0, an infinite component outweighs every finite one. The direction is
-    kept; the two components step down together, one double at a time, until the speed as computed fits.
+    kept; the two components step down together until the speed as computed fits.
     """
     vx = 0.0 if vx != vx else vx
     vy = 0.0 if vy != vy else vy
@@ -273,8 +273,10 @@ def limit_speed(vx: float, vy: float, limit: float) -> tuple[float, float]:
     norm = sqrt(vx * vx + vy * vy)
     factor = limit / norm
     vx, vy = vx * factor, vy * factor
+    shrink = 2.0 * _U
     while sqrt(vx * vx + vy * vy) > limit:
-        vx, vy = nextafter(vx, 0.0), nextafter(vy, 0.0)
+        vx, vy = vx * (1.0 - shrink), vy * (1.0 - shrink)
+        shrink *= 2.0  # where squares are subnormal, one double is not enough
     return vx, vy
 
 

@@ -14,7 +14,7 @@ from attrs import evolve
 
 from fasteroids import chance, physics
 from fasteroids.actions import Action, Fire, Skip, Thrust, ThrustOff, Ticked, Turn
-from fasteroids.entities import Asteroid, Bullet, Entity, Ship, id_of, moving, number
+from fasteroids.entities import Asteroid, Bullet, Entity, Ship, id_of, moving
 from fasteroids.moments import Moment, between, resolution
 from fasteroids.overlap import Placed, depth, outside, own_bullet, slack
 from fasteroids.state import Flight, World, describe, flight, located, placed
@@ -25,6 +25,7 @@ from fasteroids.units import (
     MAX_BULLETS,
     SPLIT_RADIUS,
     ModelError,
+    number,
     shown,
 )
 
@@ -49,15 +50,15 @@ class Change(NamedTuple):
 
 
 def masses(a: Entity, b: Entity) -> tuple[float, float]:
-    """The masses of two entities (kg), in another unit where only that keeps their ratio from over- or underflow.
+    """The masses of two entities; in kg if one is a ship, else in a unit in which they neither over- nor underflow.
 
-    Two asteroids have one density, so their masses are as the cubes of their radii.
+    A bounce asks for their ratio only, and two spheres of 1e-120 km have one.
     """
-    if type(a) is Asteroid and type(b) is Asteroid:
-        scale = -frexp(max(a.radius, b.radius))[1]
-        p, q = ldexp(a.radius, scale), ldexp(b.radius, scale)
-        return p * p * p, q * q * q
-    return a.mass, b.mass
+    if isinstance(a, Ship) or isinstance(b, Ship):
+        return a.mass, b.mass
+    scale = -frexp(max(a.radius, b.radius))[1]
+    p, q = ldexp(a.radius, scale), ldexp(b.radius, scale)
+    return p * p * p * a.density, q * q * q * b.density
 
 
 def bounce(a: Entity, b: Entity) -> tuple[Entity, Entity]:
@@ -65,24 +66,22 @@ def bounce(a: Entity, b: Entity) -> tuple[Entity, Entity]:
 
     If they do not approach nothing changes.
     """
-    after_a, after_b, _ = _bounced(a, a.x, a.y, b, b.x, b.y)
-    return after_a, after_b
+    return _bounced(a, a.x, a.y, b, b.x, b.y)[:2]
 
 
 def _bounced(
     a: Entity, xa: float, ya: float, b: Entity, xb: float, yb: float
-) -> tuple[Entity, Entity, tuple[int, ...]]:
-    """Both entities after a bounce at these places, and the ids of those clipped."""
+) -> tuple[Entity, Entity, bool, bool]:
+    """Both entities after a bounce at these places, and whether each was clipped."""
     ma, mb = masses(a, b)
     x, y = xb - xa, yb - ya
     vxa, vya, vxb, vyb = physics.bounce(x, y, a.vx, a.vy, ma, b.vx, b.vy, mb)
-    clipped: tuple[int, ...] = ()
+    ca = cb = False
     if sqrt(vxa * vxa + vya * vya) > a.max_speed or sqrt(vxb * vxb + vyb * vyb) > b.max_speed:
         vxa, vya, vxb, vyb, ca, cb = physics.limit_contact(
             x, y, vxa, vya, a.max_speed, vxb, vyb, b.max_speed
         )
-        clipped = tuple(id_of(e) for e, c in ((a, ca), (b, cb)) if c)
-    return moving(a, xa, ya, vxa, vya), moving(b, xb, yb, vxb, vyb), clipped
+    return moving(a, xa, ya, vxa, vya), moving(b, xb, yb, vxb, vyb), ca, cb
 
 
 def contact(world: World, now: Moment, f: Flight, g: Flight) -> Change:
@@ -91,7 +90,8 @@ def contact(world: World, now: Moment, f: Flight, g: Flight) -> Change:
     if type(a) is type(b) and type(a) is not Bullet:
         s, t = between(f.since, now), between(g.since, now)
         xa, ya, xb, yb = a.x + a.vx * s, a.y + a.vy * s, b.x + b.vx * t, b.y + b.vy * t
-        a, b, clipped = _bounced(a, xa, ya, b, xb, yb)
+        a, b, ca, cb = _bounced(a, xa, ya, b, xb, yb)
+        clipped = tuple(id_of(e) for e, c in ((a, ca), (b, cb)) if c) if ca or cb else ()
         f, g = flight(now, a, b.id, f.next_tick), flight(now, b, a.id, g.next_tick)
         share = a.radius / (a.radius + b.radius)
         at = xa + (xb - xa) * share, ya + (yb - ya) * share

@@ -147,14 +147,17 @@ def _check_past(draft: Draft, world: World, faults: Faults) -> None:
         return
     members = {member.entity.id: member for member in draft.members}
     engine = Engine(world)
+    seen = set()
     while (due := engine.next_due(world.now)) is not None and due[:2] < world.now:
         rank, low, high = due[2:5]
-        what = f"the {WALLS[rank]} wall" if rank in WALLS else describe(world[high])
-        begun = [members[i] for i in (low, high) if i and members[i].since is not None]
+        if (rank, low, high) in seen:  # both of a pair may know it
+            continue
+        seen.add((rank, low, high))
+        met = f"the {WALLS[rank]} wall" if rank in WALLS else members[high].table.label
         faults.add(
-            begun[-1].table,
-            f"its flight meets {what} at {seconds(*due[:2])!r} s, before the time of the world; "
-            "a flight must begin after the last event",
+            members[low].table,
+            f"its flight meets {met} at {seconds(*due[:2])!r} s, before the time of the world; "
+            "a flight begins after the last event",
             "since",
         )
 

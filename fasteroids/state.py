@@ -19,7 +19,7 @@ from pyrsistent import PMap, PVector, pmap, pvector
 
 from fasteroids import models
 from fasteroids._raw import raw
-from fasteroids.entities import Asteroid, Bullet, Entity, Ship, id_of, moving, number
+from fasteroids.entities import Asteroid, Bullet, Entity, Ship, checked, id_of, moving
 from fasteroids.moments import (
     START,
     Clock,
@@ -30,7 +30,7 @@ from fasteroids.moments import (
     tick_after,
 )
 from fasteroids.overlap import Placed, depth, first_overlap, outside, slack
-from fasteroids.units import MAX_WORLD_SIZE, ModelError, shown
+from fasteroids.units import MAX_WORLD_SIZE, ModelError, number, shown
 
 __all__ = ["Cache", "Flight", "Roster", "World", "located"]
 
@@ -121,8 +121,11 @@ def _size(instance: World, attribute: Any, value: float) -> None:
 
 
 def _seed(_world: World, _attribute: Any, value: int) -> None:
-    if type(value) is not int:
+    if type(value) is not int or value.bit_length() > _SEED_BITS:
         raise ModelError(f"seed must be an integer; got {shown(value)}")
+
+
+_SEED_BITS = 4096  # any seed anyone draws, and still printable
 
 
 def _model(_world: World, _attribute: Any, value: str) -> None:
@@ -133,7 +136,8 @@ def _model(_world: World, _attribute: Any, value: str) -> None:
 class World:
     """A rectangle of space with what flies in it, at one moment. A value: every operation returns a new one.
 
-    Requires: 0 <= width, height <= `units.MAX_WORLD_SIZE` (km); seed an integer; model the name of a level.
+    Requires: 0 <= width, height <= `units.MAX_WORLD_SIZE` (km); seed an integer of 4096 bits at most;
+        model the name of a level.
     Returns: an empty world at time 0.
     Raises: `ModelError` where a requirement is broken.
     Invariant: width, height, seed and model never change (tests/properties/test_purity.py).
@@ -231,11 +235,10 @@ class World:
     def add_all(self, entities: Iterable[Entity]) -> World:
         """The world with all these entities, added in order, as `add` does; all of them or none."""
         next_id, flights = self.roster.next_id, []
+        if not isinstance(entities, Iterable):
+            raise ModelError(f"a collection of entities can be added; got {shown(entities)}")
         for entity in entities:
-            if not isinstance(entity, Ship | Asteroid | Bullet):
-                raise ModelError(
-                    f"only ships, asteroids and bullets can be added; got {shown(entity)}"
-                )
+            checked(entity, "what is added")
             if entity.id is None:
                 entity = evolve(entity, id=next_id)
             elif entity.id in self:
@@ -337,11 +340,12 @@ def replaced(
     born: Sequence[Flight],
     dead: Sequence[int],
     next_id: int = 1,
+    cache: Cache | None = None,
 ) -> World:
     """The world at `clock` with other flights: changed (slot, flight), born ones, and without the dead ids.
 
-    Ids below `next_id` count as used. This is the one way flights change. The new world takes over the cache of
-    predictions, brought up to date.
+    Ids below `next_id` count as used. This is the one way flights change. The new world gets the cache of
+    predictions, brought up to date: `cache`, or else that of the old world, which loses it.
     """
     flights = world.flights
     if len(changed) == 2:
@@ -372,8 +376,9 @@ def replaced(
             born_slots.append((slot, f))
         flights, roster = vector.persistent(), Roster(slots.persistent(), free, next_id)
     result = _world(world.width, world.height, world.seed, world.model, clock, flights, roster, [])
-    if world._box:
-        cache: Cache = world._box.pop()
+    if cache is None and world._box:
+        cache = world._box.pop()
+    if cache is not None:
         cache.replace(clock, changed, born_slots, dead_slots)
         result._box.append(cache)
     return result

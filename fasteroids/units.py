@@ -8,6 +8,8 @@ Section numbers refer to the text of the assignment (OGP 2012-2013, part III).
 from __future__ import annotations
 
 import sys
+from math import inf
+from numbers import Real
 from typing import Final
 
 __all__ = [
@@ -24,6 +26,7 @@ __all__ = [
     "TICKS_PER_SECOND",
     "WINDOW",
     "ModelError",
+    "number",
     "shown",
 ]
 
@@ -70,6 +73,16 @@ class ModelError(ValueError):
     The message is a sentence that says what was given and what is allowed. It is the only exception the
     library raises on purpose.
     """
+
+
+def number(value: object, what: str) -> float:
+    """`value` as a float (huge integers become infinite), or `ModelError` naming `what`."""
+    if not isinstance(value, Real) or isinstance(value, bool):
+        raise ModelError(f"{what} must be a number; got {shown(value)}")
+    try:
+        return float(value)
+    except OverflowError:
+        return inf if value > 0 else -inf  # type: ignore[operator]
 
 
 def shown(value: object) -> str:

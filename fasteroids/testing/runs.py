@@ -28,7 +28,8 @@ class Run(NamedTuple):
 
 def unfold(world: World, *, until: float = FOREVER, events: int | None = None) -> Run:
     """Everything that happens until an absolute time (s), or for so many events."""
-    log, worlds = [], []
+    log: list[Happened] = []
+    worlds: list[World] = []
     unfolding = happenings(world, until, max_events=events)
     while True:
         try:

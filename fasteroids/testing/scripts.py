@@ -27,5 +27,4 @@ class Script:
         """The next action; prints the id of its ship and how many entities it sees."""
         first, *rest = self.actions
         prints = (f"{view.self_id} of {len(view.ids('any'))}",)
-        end = "fuel" if first is None else None
-        return Ticked(Script(tuple(rest)), first, end, prints)
+        return Ticked(Script(tuple(rest)), first, None if first else "fuel", prints)

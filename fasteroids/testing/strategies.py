@@ -181,13 +181,13 @@ def discs(draw: st.DrawFn, kind: type[Entity] = Ship) -> Entity:
     """One entity anywhere, with any finite numbers its constructor takes."""
     numbers = st.floats(allow_nan=False, allow_infinity=False)
     positive = st.floats(min_value=0.0, exclude_min=True, allow_infinity=False)
-    moving = [draw(numbers) for _ in range(4)] + [draw(positive)]
+    x, y, vx, vy, r = *(draw(numbers) for _ in range(4)), draw(positive)
     limit = draw(st.one_of(st.just(SPEED_OF_LIGHT), st.floats(0.0, SPEED_OF_LIGHT)))
     if kind is Asteroid:
-        return Asteroid(*moving, max_speed=limit)
+        return Asteroid(x, y, vx, vy, r, max_speed=limit)
     if kind is Bullet:
-        return Bullet(*moving, draw(st.integers(1, 9)), max_speed=limit)
-    return Ship(*moving, draw(positive), draw(_angles), max_speed=limit)
+        return Bullet(x, y, vx, vy, r, draw(st.integers(1, 9)), max_speed=limit)
+    return Ship(x, y, vx, vy, r, draw(positive), draw(_angles), max_speed=limit)
 
 
 @st.composite

@@ -6,9 +6,23 @@ import random
 import sys
 from collections.abc import Callable, Iterator
 from fractions import Fraction
-from functools import cache
+from functools import cache, partial
 from itertools import pairwise
-from math import copysign, cos, hypot, inf, isinf, isnan, isqrt, ldexp, nan, nextafter, pi, sin, sqrt
+from math import (
+    copysign,
+    cos,
+    hypot,
+    inf,
+    isinf,
+    isnan,
+    isqrt,
+    ldexp,
+    nan,
+    nextafter,
+    pi,
+    sin,
+    sqrt,
+)
 from math import ulp as spacing
 from types import FrameType
 from typing import Any, NamedTuple
@@ -190,7 +204,9 @@ def touching(rng: random.Random) -> Pair:
 
 def overlapping(rng: random.Random) -> Pair:
     s = rng.uniform(1, 100)
-    return aimed(rng, s * rng.uniform(0, 0.9), s * rng.uniform(-0.4, 0.4), s, rng.choice((-1, 1)) * 50.0)
+    return aimed(
+        rng, s * rng.uniform(0, 0.9), s * rng.uniform(-0.4, 0.4), s, rng.choice((-1, 1)) * 50.0
+    )
 
 
 def far_target(rng: random.Random) -> Pair:
@@ -225,6 +241,7 @@ def lattice(rng: random.Random) -> Pair:
 
 def bits(rng: random.Random) -> Pair:
     """Any exponents at all, subnormals and near overflow included."""
+
     def one() -> float:
         return ldexp(rng.uniform(-1, 1), rng.randint(-1074, 1023))
 
@@ -242,6 +259,7 @@ EACH = 300
 @cache
 def cases() -> tuple[tuple[str, Pair, Truth], ...]:
     """Hostile pairs of every kind, half of them at some other scale, each with the truth about it."""
+
     def draw() -> Iterator[tuple[str, Pair, Truth]]:
         for kind in KINDS:
             rng = random.Random(f"pairs of discs: {kind.__name__}")
@@ -257,7 +275,7 @@ def cases() -> tuple[tuple[str, Pair, Truth], ...]:
 def test_the_cases_hit_and_miss_in_every_kind() -> None:
     for kind in KINDS:
         hits = [t.hits for name, _, t in cases() if name == kind.__name__]
-        assert 0.05 * EACH < sum(hits) < 0.95 * EACH, kind.__name__
+        assert 5 <= sum(hits) <= EACH - 5, kind.__name__
 
 
 def test_contact_time_is_of_the_right_class_and_near_enough() -> None:
@@ -323,7 +341,7 @@ def test_contact_time_where_the_formula_of_the_text_fails(pair: Pair, seconds: f
 
 
 def swapped(pair: Pair) -> Pair:
-    return pair[5:] + pair[:5]  # type: ignore[return-value]
+    return pair[5:] + pair[:5]
 
 
 def turned(pair: Pair) -> Pair:
@@ -395,14 +413,13 @@ def test_wall_time_is_that_of_the_wall_ahead(x: float, v: float, seconds: float)
 def defect(
     mi: float, mj: float, old: tuple[float, ...], new: tuple[float, ...]
 ) -> tuple[Fraction, Fraction]:
-    """Change of momentum and of energy in units of u of the sums of m |v| and of m v^2 before."""
+    """Change of momentum and of energy in units of u of the sums of m |v| and of m v^2, before and after."""
     m = [Fraction(mi), Fraction(mi), Fraction(mj), Fraction(mj)]
     v, w = list(map(Fraction, old)), list(map(Fraction, new))
-    hot = sum(a * b * b for a, b in zip(m, v, strict=True))
-    energy = abs(sum(a * c * c for a, c in zip(m, w, strict=True)) - hot)
-    fast = sum(a * abs(b) for a, b in zip(m, v, strict=True))
-    px, py = (sum(m[k] * (w[k] - v[k]) for k in axis) for axis in ((0, 2), (1, 3)))
-    return max(abs(px), abs(py)) / (U * fast), energy / (U * hot)
+    hot, then = (sum((a * b * b for a, b in zip(m, c, strict=True)), Fraction(0)) for c in (v, w))
+    fast = sum((a * (abs(b) + abs(c)) for a, b, c in zip(m, v, w, strict=True)), Fraction(0))
+    px, py = (m[k] * (w[k] - v[k]) + m[k + 2] * (w[k + 2] - v[k + 2]) for k in (0, 1))
+    return max(abs(px), abs(py)) / (U * fast), abs(then - hot) / (U * (hot + then))
 
 
 def bounces(count: int = 1500) -> Iterator[tuple[float, ...]]:
@@ -420,7 +437,7 @@ def bounces(count: int = 1500) -> Iterator[tuple[float, ...]]:
 
 def test_bounce_keeps_energy_and_momentum() -> None:
     for case in bounces():
-        x, y, vxi, vyi, mi, vxj, vyj, mj = case
+        _, _, vxi, vyi, mi, vxj, vyj, mj = case
         momentum, energy = defect(mi, mj, (vxi, vyi, vxj, vyj), bounce(*case))
         assert momentum <= 8, case
         assert energy <= 8, case
@@ -541,12 +558,12 @@ def test_limit_speed_of_nought_stops(v: tuple[float, float]) -> None:
 
 
 @pytest.mark.parametrize("v", [(3.0, 4.0), (1.0, 1.0), (1.0, 0.3), (300.0, -7e-9)])
-@pytest.mark.parametrize("exponent", [*range(-170, -150), -310, -323])
-def test_limit_speed_ends_where_squares_are_subnormal(v: tuple[float, float], exponent: int) -> None:
-    for digits in ("1", "1.3", "2", "3.7", "6.25"):
-        limit = float(f"{digits}e{exponent}")
-        vx, vy = soon(lambda limit=limit: limit_speed(*v, limit))
-        assert sqrt(vx * vx + vy * vy) <= limit
+def test_limit_speed_ends_where_squares_are_subnormal(v: tuple[float, float]) -> None:
+    for exponent in (*range(-170, -150), -310, -323):
+        for digits in ("1", "1.3", "2", "3.7", "6.25"):
+            limit = float(f"{digits}e{exponent}")
+            vx, vy = soon(partial(limit_speed, *v, limit))
+            assert sqrt(vx * vx + vy * vy) <= limit
 
 
 def test_limit_contact_leaves_what_fits() -> None:
@@ -595,7 +612,8 @@ def clips(count: int = 3000) -> Iterator[tuple[float, ...]]:
         vj = limit_speed(rng.uniform(-300, 300), rng.uniform(-300, 300), lj)
         mi, mj = (10 ** rng.uniform(0, 6) for _ in range(2))
         after = bounce(x, y, *vi, mi, *vj, mj)
-        if hypot(*after[:2]) > li or hypot(*after[2:]) > lj:
+        a, b, c, d = after
+        if sqrt(a * a + b * b) > li or sqrt(c * c + d * d) > lj:
             count -= 1
             yield x, y, *after[:2], li, *after[2:], lj
 

@@ -1,0 +1,104 @@
+"""Scenes on disk, and ways to call the command line."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner, Result
+
+from fasteroids.cli import main
+
+SCENE = """
+[world]
+width = 400
+height = 200
+seed = 4
+
+[[ship]]
+name = "red"
+x = 50
+y = 20
+vx = 60
+radius = 10
+mass = 5e15
+
+[[ship]]
+name = "blue"
+x = 350
+y = 180
+vx = -80
+radius = 10
+mass = 5e15
+
+[[asteroid]]
+x = 200
+y = 100
+radius = 40
+
+[[bullet]]
+x = 120
+y = 100
+vx = 150
+radius = 3
+source = "red"
+"""
+
+BUSY = """
+[world]
+width = 2000
+height = 2000
+
+[[asteroid-field]]
+count = 60
+radius = 30
+speed = [100, 900]
+"""
+
+
+@pytest.fixture
+def scene(tmp_path: Path) -> str:
+    """A scene in which something of everything happens in 10 s."""
+    path = tmp_path / "scene.toml"
+    path.write_text(SCENE, encoding="utf-8")
+    return str(path)
+
+
+@pytest.fixture
+def busy(tmp_path: Path) -> str:
+    """A scene with thousands of events a second of its own time."""
+    path = tmp_path / "busy.toml"
+    path.write_text(BUSY, encoding="utf-8")
+    return str(path)
+
+
+@pytest.fixture
+def call() -> Callable[..., Result]:
+    """Call the command line in this process."""
+    return lambda *args, **settings: CliRunner().invoke(main, list(args), **settings)
+
+
+@pytest.fixture
+def spawn() -> Iterator[Callable[..., subprocess.Popen[bytes]]]:
+    """Start the command line in a process of its own, its output in pipes."""
+    started: list[subprocess.Popen[bytes]] = []
+
+    def start(*args: str, **settings: Any) -> subprocess.Popen[bytes]:
+        pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "stdin": subprocess.DEVNULL}
+        environment = {**os.environ, "COLUMNS": "100"}
+        command = [sys.executable, "-m", "fasteroids", *args]
+        started.append(subprocess.Popen(command, **{**pipes, "env": environment, **settings}))
+        return started[-1]
+
+    yield start
+    for process in started:
+        process.kill()
+        process.wait()
+        for stream in (process.stdout, process.stderr):
+            if stream is not None:
+                stream.close()
