@@ -6,9 +6,9 @@ import os
 
 from hypothesis import HealthCheck, settings
 
-_COMMON = {"deadline": None, "suppress_health_check": [HealthCheck.too_slow]}
+_COMMON = settings(deadline=None, suppress_health_check=[HealthCheck.too_slow], print_blob=True)
 
-settings.register_profile("dev", max_examples=30, **_COMMON)
-settings.register_profile("ci", max_examples=300, derandomize=True, print_blob=True, **_COMMON)
-settings.register_profile("long", max_examples=20_000, print_blob=True, **_COMMON)
+settings.register_profile("dev", _COMMON, max_examples=30)
+settings.register_profile("ci", _COMMON, max_examples=300, derandomize=True)
+settings.register_profile("long", _COMMON, max_examples=20_000)
 settings.load_profile(os.environ.get("FASTEROIDS_PROFILE", "dev"))

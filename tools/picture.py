@@ -19,7 +19,9 @@ MARKS = {"contact": "#e69f00", "wall": "#009e73"}
 
 def draw(world: World, until: float) -> str:
     """The picture of a run, as the text of an SVG file."""
-    paths: dict[int, list[tuple[float, float]]] = {i: [e.position] for i, e in world.entities.items()}
+    paths: dict[int, list[tuple[float, float]]] = {
+        i: [e.position] for i, e in world.entities.items()
+    }
     kinds = {i: type(e) for i, e in world.entities.items()}
     marks: list[str] = []
     h = world.height
@@ -44,7 +46,9 @@ def draw(world: World, until: float) -> str:
                 paths[i], kinds[i] = [after[i].position], type(after[i])
         if happened.at and not happened.died:
             x, y = happened.at
-            marks.append(f'<circle cx="{x:.1f}" cy="{h - y:.1f}" r="4" fill="{MARKS[happened.kind]}"/>')
+            marks.append(
+                f'<circle cx="{x:.1f}" cy="{h - y:.1f}" r="4" fill="{MARKS[happened.kind]}"/>'
+            )
         before = after
     for i, e in end.entities.items():
         paths[i].append(e.position)
@@ -65,6 +69,7 @@ def draw(world: World, until: float) -> str:
 
 
 def line(points: list[tuple[float, float]], kind: type[Entity], height: float) -> str:
+    """The path of an entity."""
     text = " ".join(f"{x:.1f},{height - y:.1f}" for x, y in points)
     dash = ' stroke-dasharray="2 7"' if kind is Asteroid else ""
     return (
@@ -74,6 +79,7 @@ def line(points: list[tuple[float, float]], kind: type[Entity], height: float) -
 
 
 def cross(x: float, y: float) -> str:
+    """A death."""
     return (
         f'<path d="M{x - 9:.1f} {y - 9:.1f}l18 18m0 -18l-18 18" stroke="#d55e00" stroke-width="4" '
         'stroke-linecap="round"/>'
@@ -81,6 +87,7 @@ def cross(x: float, y: float) -> str:
 
 
 def disc(e: Entity, height: float) -> str:
+    """An entity where the run ended, with its name."""
     y = height - e.y
     colour = COLOURS[type(e)]
     shape = (
@@ -88,7 +95,10 @@ def disc(e: Entity, height: float) -> str:
         f'stroke="{colour}" stroke-width="2.5"/>'
     )
     name = e.name or f"#{e.id}"
-    return shape + f'<text x="{e.x:.1f}" y="{y + 5:.1f}" text-anchor="middle" fill="#e8ecf0">{name}</text>'
+    return (
+        shape
+        + f'<text x="{e.x:.1f}" y="{y + 5:.1f}" text-anchor="middle" fill="#e8ecf0">{name}</text>'
+    )
 
 
 if __name__ == "__main__":

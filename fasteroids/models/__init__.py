@@ -34,4 +34,6 @@ def named(name: str) -> Model:
         return MODELS[name]
     near = get_close_matches(name, MODELS, n=1) if isinstance(name, str) else []
     hint = f" (did you mean {near[0]!r}?)" if near else ""
-    raise ModelError(f"there is no model {shown(name)}{hint}; there are {', '.join(map(repr, MODELS))}")
+    raise ModelError(
+        f"there is no model {shown(name)}{hint}; there are {', '.join(map(repr, MODELS))}"
+    )

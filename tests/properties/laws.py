@@ -18,7 +18,8 @@ from fasteroids.testing import Run, unfold
 EVENTS = 40
 """Events a world runs for."""
 
-world_law = settings(max_examples=min(2_000, settings.default.max_examples))
+EXAMPLES = settings().max_examples
+world_law = settings(max_examples=min(2_000, EXAMPLES))
 """Laws on worlds: 2,000 examples in the long profile, where laws on plain numbers have 20,000."""
 
 

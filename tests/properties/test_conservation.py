@@ -6,13 +6,13 @@ from fractions import Fraction
 from math import inf
 
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from fasteroids import Asteroid, Ship, World, happenings
 from fasteroids.physics import bounce
 from fasteroids.testing import keeping, unfold, worlds
-from tests.properties.laws import EVENTS, world_law
+from tests.properties.laws import EVENTS, EXAMPLES, world_law
 
 U = Fraction(1, 2**53)
 speeds = st.one_of(st.floats(-3e5, 3e5), st.integers(-4, 4).map(float))
@@ -80,7 +80,7 @@ def test_L9_conservation_over_a_long_run() -> None:
         Asteroid(100 + 200 * (i % 4), 100 + 300 * (i // 4), 150 - 40 * i, 35 * i - 90, 20 + 5 * i)
         for i in range(10)
     )
-    events = 1_000_000 if settings.default.max_examples >= 20_000 else 20_000
+    events = 1_000_000 if EXAMPLES >= 20_000 else 20_000
     end = world
     for _, world_then in happenings(world, 1e9, max_events=events):
         end = world_then

@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fasteroids import World, act, evolve, evolve_until, happenings
+from fasteroids.entities import id_of
 from fasteroids.testing import actions, keeping, unfold, worlds
 from fasteroids.testing.runs import FOREVER
 from tests.properties.laws import EVENTS, world_law
@@ -60,7 +61,7 @@ def test_L4_purity_of_operations(world: World, action: Any, dt: float) -> None:
     before = everything(world)
     with keeping("L4_purity_of_operations", world):
         for ship in world.ships:
-            act(world, ship.id, action)
+            act(world, id_of(ship), action)
         for entity_id in world.entities:
             world.remove(entity_id)
         unfold(world, until=world.time + dt, events=EVENTS)

@@ -320,7 +320,9 @@ def test_c_limit_squeeze_against_a_wall_is_named() -> None:
     light = ship(10, 500, mass=1e10, max_speed=10.0, name="light")
     heavy = ship(200, 500, -100, 0, mass=5e15, name="heavy")
     world = world_of(light, heavy)
-    with pytest.raises(ModelError, match=r"events at the moment 1\.7 s.*'(light|heavy)'.*no room to move"):
+    with pytest.raises(
+        ModelError, match=r"events at the moment 1\.7 s.*'(light|heavy)'.*no room to move"
+    ):
         evolve(world, 4.0)
     assert evolve(world, 1.5).time == 1.5
 

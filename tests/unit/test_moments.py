@@ -79,9 +79,7 @@ def test_the_origin_and_the_start() -> None:
 
 @pytest.mark.parametrize("bad", BAD, ids=kind_of)
 def test_clock_at_refuses(bad: Any) -> None:
-    with pytest.raises(
-        ModelError, match=r"a time must be a (finite )?number"
-    ):
+    with pytest.raises(ModelError, match=r"a time must be a (finite )?number"):
         clock_at(bad)
 
 
@@ -177,9 +175,7 @@ def test_advanced_into_late_windows() -> None:
 
 @pytest.mark.parametrize("bad", BAD, ids=kind_of)
 def test_advanced_refuses(bad: Any) -> None:
-    with pytest.raises(
-        ModelError, match=r"a step must be a (finite )?number"
-    ):
+    with pytest.raises(ModelError, match=r"a step must be a (finite )?number"):
         advanced(START, bad)
 
 

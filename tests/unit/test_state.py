@@ -267,7 +267,9 @@ def test_a_name_in_place_of_an_id() -> None:
 
 @pytest.mark.parametrize("bad", [None, 3, "ship", (1, 2), Ship, {}], ids=repr)
 def test_only_entities_can_be_added(bad: Any) -> None:
-    with pytest.raises(ModelError, match=r"^what is added must be a ship, an asteroid or a bullet; got"):
+    with pytest.raises(
+        ModelError, match=r"^what is added must be a ship, an asteroid or a bullet; got"
+    ):
         World(100, 100).add(bad)
 
 
@@ -314,7 +316,7 @@ def test_overlap_is_refused_and_says_with_whom() -> None:
 
 
 def test_a_subclass_is_refused_or_flies() -> None:
-    class Cruiser(Ship):
+    class Cruiser(Ship):  # type: ignore[misc]
         pass
 
     try:
