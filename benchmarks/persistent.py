@@ -70,7 +70,7 @@ class PersistentFold:
         )
         self.lefts, self.rights = borders(grid.width, grid.columns, each=grid.stride)
         self.bottoms, self.tops = borders(grid.height, grid.rows, times=grid.columns + 2)
-        self.masses = [a.radius * a.radius * a.radius for a in asteroids]
+        self.masses = [a.radius * a.radius * a.radius * a.density for a in asteroids]
         self.serial = count()
         self.rows: PVector[Any] = pvector(
             (window, offset, a.x, a.y, a.vx, a.vy, a.radius, a.id, 0, 0) for a in asteroids

@@ -42,7 +42,7 @@ class Yardstick:
         self.rows: list[list[Any]] = [
             [window, offset, a.x, a.y, a.vx, a.vy, a.radius, a.id, 0] for a in asteroids
         ]
-        self.masses = [a.radius * a.radius * a.radius for a in asteroids]
+        self.masses = [a.radius * a.radius * a.radius * a.density for a in asteroids]
         self.versions = [0] * len(asteroids)
         self.known: list[Due | None] = [None] * len(asteroids)
         self.grid = grid = Grid(

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from difflib import get_close_matches
-from typing import Any, Final, TypeAlias, TypeVar
+from typing import Any, TypeAlias, TypeVar
 
 from attrs import frozen
 
-from fasteroids._scene_text import BARE, Path, Problem, SceneError, lines_of, shown
+from fasteroids._scene_text import BARE, MOST_BITS, Path, Problem, SceneError, lines_of, shown
 from fasteroids.units import ModelError
 
 __all__ = [
@@ -35,9 +35,6 @@ __all__ = [
 ]
 
 T = TypeVar("T")
-
-_MOST_BITS: Final = 8192
-"""Longest integer, well below what Python prints and reads (4300 digits)."""
 
 Fields: TypeAlias = Mapping[str, "Type"]
 """What may stand in a table."""
@@ -167,8 +164,8 @@ def typed(table: Table, fields: Fields, required: Iterable[str], faults: Faults)
             faults.add(table, f"unknown field{hint}; there are {', '.join(fields)}", name)
         elif not fields[name].fits(value):
             faults.add(table, fields[name].allowed, name)
-        elif any(isinstance(n, int) and n.bit_length() > _MOST_BITS for n in numbers):
-            faults.add(table, f"must be a number of at most {_MOST_BITS} bits", name)
+        elif any(isinstance(n, int) and n.bit_length() > MOST_BITS for n in numbers):
+            faults.add(table, f"must be a number of at most {MOST_BITS} bits", name)
         else:
             good[name] = value
     for name in required:

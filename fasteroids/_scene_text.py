@@ -17,13 +17,25 @@ from attrs import frozen
 
 from fasteroids.units import ModelError
 
-__all__ = ["BARE", "Path", "Problem", "SceneError", "lines_of", "parsed", "shown", "written"]
+__all__ = [
+    "BARE",
+    "MOST_BITS",
+    "Path",
+    "Problem",
+    "SceneError",
+    "lines_of",
+    "parsed",
+    "shown",
+    "written",
+]
 
 Path: TypeAlias = tuple[str | int, ...]
 """Where a value is in a document: keys, and indices of arrays of tables. ("ship", 0, "radius")."""
 
 _MOST_SYNTAX_ERRORS = 20
 _LONGEST = 60  # characters of a value in a message
+MOST_BITS = 8192
+"""Of an integer in a file: well below the 4300 digits that Python reads and prints."""
 _LONGEST_KEY = 1000  # characters of a key that has a line of its own
 
 
@@ -325,8 +337,8 @@ def _resolved(path: Path, keys: Iterable[str | int], tables: Mapping[Path, int])
 def written(value: object) -> str:
     """A bool, number, text or list of them in TOML; `tomllib` reads the same value back, bit for bit.
 
-    Floats are finite and get the fewest digits that bring them back. `ModelError` for an integer longer than
-    Python prints.
+    Floats are finite and get the fewest digits that bring them back. `ModelError` for an integer of more than
+    `MOST_BITS` bits.
     """
     if isinstance(value, bool):
         return str(value).lower()
@@ -334,7 +346,6 @@ def written(value: object) -> str:
         return quoted(value)
     if isinstance(value, list | tuple):
         return f"[{', '.join(map(written, value))}]"
-    try:
-        return repr(value)
-    except ValueError:
-        raise ModelError(f"the number {shown(value)} is too long to be written") from None
+    if isinstance(value, int) and value.bit_length() > MOST_BITS:
+        raise ModelError(f"{shown(value)} is too long to be written: more than {MOST_BITS} bits")
+    return repr(value)

@@ -187,8 +187,8 @@ def dump_scene(world: World) -> str:
     """A scene file of a world: `load_scene` gives back an equal one with the same future, bit for bit.
 
     Every entity is written as it was when its flight began, with the moment of that if it is not now. Ids are
-    left out where those that `load_scene` gives are the same. `ModelError` if a ship has a program, or if a
-    number has more digits than Python prints.
+    left out where those that `load_scene` gives are the same. `ModelError` if a ship has a program, or if an
+    id is too long to be written.
     """
     flights = sorted(world.all_flights().values(), key=lambda f: _ORDER[type(f.entity)])
     names = [f.entity.name for f in flights if f.entity.name is not None]

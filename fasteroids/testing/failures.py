@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from attrs import evolve
+from hypothesis.errors import UnsatisfiedAssumption
 
 from fasteroids.entities import Ship
 from fasteroids.scene import dump_scene
@@ -27,6 +28,8 @@ def keeping(law: str, world: World) -> Iterator[None]:
     """
     try:
         yield
+    except UnsatisfiedAssumption:
+        raise
     except Exception:
         FOLDER.mkdir(parents=True, exist_ok=True)
         (FOLDER / f"{law}.toml").write_text(_scene(world), encoding="utf-8")

@@ -76,6 +76,7 @@ def test_borders_are_walls_at_the_rim_and_rise_between() -> None:
         (1e12, 1e12, 500, 1e9),
         (1e150, 1e150, 50, 1e148),
         (1e300, 1e-3, 50, 1e-4),
+        (35 * 28 * (1 + 2.0**-21), 980.0, 1000, 14.0),
     ],
 )
 def test_cells_are_wider_than_the_largest_contact(

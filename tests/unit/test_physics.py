@@ -209,6 +209,16 @@ def overlapping(rng: random.Random) -> Pair:
     )
 
 
+def sideways(rng: random.Random) -> Pair:
+    """Overlapping, and passing each other across the line of centres: v.r is nothing but rounding, or little more."""
+    x, y, k = rng.uniform(-9, 9), rng.uniform(-9, 9), rng.uniform(0.1, 30)
+    pair = [rng.uniform(0, 5), rng.uniform(0, 5), 0.0, 0.0, 9.0, 0.0, 0.0, 0.0, 0.0, 9.0]
+    pair[5], pair[6] = pair[0] + x, pair[1] + y
+    x, y = pair[5] - pair[0], pair[6] - pair[1]
+    pair[7], pair[8] = some_ulps(rng, -k * y), some_ulps(rng, k * x)
+    return tuple(pair)  # type: ignore[return-value]
+
+
 def far_target(rng: random.Random) -> Pair:
     s = rng.uniform(1, 60)
     return aimed(rng, s * 10 ** rng.uniform(4, 15), s * rng.uniform(-1.5, 1.5), s)
@@ -251,7 +261,7 @@ def bits(rng: random.Random) -> Pair:
 
 
 KINDS = (
-    ordinary, grazing, tangent, touching, overlapping, far_target, near_parallel, unequal, lattice, bits,
+    ordinary, grazing, tangent, touching, overlapping, sideways, far_target, near_parallel, unequal, lattice, bits,
 )  # fmt: skip
 EACH = 300
 
@@ -292,6 +302,22 @@ def test_contact_time_is_of_the_right_class_and_near_enough() -> None:
 def test_contact_time_exact_is_the_nearest_double() -> None:
     for name, pair, true in cases():
         assert contact_time_exact(*pair) == true.nearest, (name, pair)
+
+
+@pytest.mark.parametrize("y", [2.0**-1000, 2.0**-300, 2.0**-50, 2.0**-30])
+def test_contact_time_exact_a_hair_above_a_tie(y: float) -> None:
+    """Head-on the gap is 1 + 2^-53 km, half way between two doubles: to even. To the side it is longer."""
+    head_on = -(2.0**-53), 0.0, 1.0, 0.0, 0.5, 2.0, 0.0, 0.0, 0.0, 0.5
+    beside = -(2.0**-53), 0.0, 1.0, 0.0, 0.5, 2.0, y, 0.0, 0.0, 0.5
+    assert contact_time_exact(*head_on) == 1.0 == truth(head_on).nearest
+    assert contact_time_exact(*beside) == 1 + 2.0**-52 == truth(beside).nearest
+
+
+def test_contact_time_exact_a_hair_below_a_tie() -> None:
+    """s^2 - y^2 = 1 + 2^-102: the time is 2^-103 s less than 1 + 3/2^53, where the tie would be rounded up."""
+    r, y = 0.5 + 2.0**-52, 2.0**-25
+    pair = -3 * 2.0**-53, 0.0, 1.0, 0.0, r, 2.0, y, 0.0, 0.0, r
+    assert contact_time_exact(*pair) == 1 + 2.0**-52 == truth(pair).nearest
 
 
 def test_contact_time_filtered_is_never_wrong_when_it_decides() -> None:
