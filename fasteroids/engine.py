@@ -1,7 +1,7 @@
 """The cache: who meets whom next, when, and who meets which wall.
 
-Event-driven molecular dynamics in its standard form. Each flight keeps two predictions, its earliest contact
-and its earliest geometry event (a wall, or the border of its grid cell); one binary heap orders them. Contacts
+Event-driven molecular dynamics in its standard form. Each flight keeps its earliest contact, and queues the
+earlier of that and its next geometry event (a wall, or the border of its grid cell) in one binary heap. Contacts
 are looked for in the nine cells around a disc. Crossings of cells are bookkeeping: nobody sees them.
 
 Everything in here can be rebuilt from the flights at any moment without changing the future, because
@@ -19,10 +19,10 @@ An engine belongs to exactly one world at a time; `take` and `give` move it.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from heapq import heapify, heappop, heappush
+from heapq import heapify, heappop, heappush, heapreplace
 from itertools import count
 from math import inf
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 from attrs import frozen
 
@@ -30,7 +30,6 @@ from fasteroids import models
 from fasteroids.entities import Bullet, Ship
 from fasteroids.grid import Grid, fitting
 from fasteroids.moments import Clock, Moment, tick_moment
-from fasteroids.physics import wall_time
 from fasteroids.state import Flight, World, located
 from fasteroids.units import WINDOW
 
@@ -54,6 +53,7 @@ WALLS = {1: "left", 2: "right", 3: "bottom", 4: "top"}
 """Ranks, the order of events at one moment: contact, the four walls, limit, tick."""
 _CROSSING = -1  # before all events: it only widens what a disc knows
 _LEFT, _RIGHT, _BOTTOM, _TOP = WALLS
+_NONE = (inf,)  # later than every prediction
 
 GRID_FROM = 8
 """With fewer entities every disc is compared with every other (measured, see benchmarks/README.md)."""
@@ -171,9 +171,8 @@ class Engine:
         if self._happening is not None:
             slot, f = self._happening
             self._happening = None
-            if self.flights[slot] is f:  # it flies on, and this contact was all it knew
-                self._contact[slot] = None
-                self._look(slot, f, self.grid.around)
+            if self.flights[slot] is f:  # it flies on, and this event was all it had queued
+                self._predict(slot, f)
         if len(self._heap) > 8 * self.living + 64:
             self._compact()
 
@@ -204,9 +203,12 @@ class Engine:
         )  # fmt: skip
 
     def _predict(self, slot: int, f: Flight) -> None:
+        """Look around from scratch, and queue what comes first."""
         self._contact[slot] = None
         self._look(slot, f, self.grid.around)
-        self._geometry(slot, f)
+        due = self._first(slot, f)
+        if due is not None:
+            heappush(self._heap, due)
         if f.next_tick is not None:
             self._tick(slot, f)
 
@@ -221,7 +223,8 @@ class Engine:
         filtered, bullets = self._filtered, self._bullets
         window, offset, x, y, vx, vy, r, me, bounced_off, source = rows[slot]  # type: ignore[misc]
         asked = 0
-        best: tuple[int, float, int, int, int, int] | None = None
+        known = self._contact[slot]
+        best: tuple[Any, ...] = _NONE if known is None else known
         for delta in offsets:
             for other in cells[here + delta]:
                 if other == slot:
@@ -251,62 +254,61 @@ class Engine:
                 if o >= WINDOW:
                     windows, o = divmod(o, WINDOW)
                     w += int(windows)
-                if best is None or (w, o) <= best[:2]:
-                    found = (w, o, 0, me, it, other) if me < it else (w, o, 0, it, me, other)
-                    if best is None or found < best:
-                        best = found
+                found = (
+                    (w, o, CONTACT, me, it, other) if me < it else (w, o, CONTACT, it, me, other)
+                )
+                if found < best:
+                    best = found
         self.asked += asked
-        if best is not None:
-            known = self._contact[slot]
-            if known is None or best[:5] < known[:5]:
-                other = best[5]
-                due = (*best[:5], next(self._serial), slot, other, f, self.flights[other])
-                self._contact[slot] = due
-                heappush(self._heap, due)
+        if best is not known and best is not _NONE:
+            w, o, rank, low, high, other = best
+            serial, g = next(self._serial), self.flights[other]
+            self._contact[slot] = w, o, rank, low, high, serial, slot, other, f, g
 
-    def _geometry(self, slot: int, f: Flight) -> None:
-        """Find the earliest wall or cell border ahead of a disc."""
+    def _first(self, slot: int, f: Flight) -> Due | None:
+        """The earlier of the contact a disc knows and its next wall or cell border; None if it has neither.
+
+        The times are those of `physics.wall_time`, written out.
+        """
         window, offset, x, y, vx, vy, r, me, _, _ = self._rows[slot]  # type: ignore[misc]
-        grid = self.grid
-        column, row = divmod(self._cell[slot], grid.stride)
+        grid, cell = self.grid, self._cell[slot]
         tx = ty = inf
         rank_x = rank_y = _CROSSING
         step_x = step_y = 0
         if vx > 0.0:
-            edge = grid.rights[column]
-            step_x = grid.stride
+            edge, step_x = grid.rights[cell], grid.stride
             if edge is None:
                 edge, rank_x = self._width - r, _RIGHT
-            tx = wall_time(x, vx, edge, edge)
+            tx = (edge - x) / vx
         elif vx < 0.0:
-            edge = grid.lefts[column]
-            step_x = -grid.stride
+            edge, step_x = grid.lefts[cell], -grid.stride
             if edge is None:
                 edge, rank_x = r, _LEFT
-            tx = wall_time(x, vx, edge, edge)
+            tx = (edge - x) / vx
         if vy > 0.0:
-            edge = grid.tops[row]
-            step_y = 1
+            edge, step_y = grid.tops[cell], 1
             if edge is None:
                 edge, rank_y = self._height - r, _TOP
-            ty = wall_time(y, vy, edge, edge)
+            ty = (edge - y) / vy
         elif vy < 0.0:
-            edge = grid.bottoms[row]
-            step_y = -1
+            edge, step_y = grid.bottoms[cell], -1
             if edge is None:
                 edge, rank_y = r, _BOTTOM
-            ty = wall_time(y, vy, edge, edge)
-        if tx <= ty:
-            t, rank, step = tx, rank_x, step_x
-        else:
-            t, rank, step = ty, rank_y, step_y
+            ty = (edge - y) / vy
+        if not tx > 0.0:
+            tx = 0.0
+        if not ty > 0.0:
+            ty = 0.0
+        t, rank, step = (tx, rank_x, step_x) if tx <= ty else (ty, rank_y, step_y)
+        contact = self._contact[slot]
         if t == inf:
-            return
+            return contact
         offset += t
         if offset >= WINDOW:
             windows, offset = divmod(offset, WINDOW)
             window += int(windows)
-        heappush(self._heap, (window, offset, rank, me, 0, next(self._serial), slot, step, f, None))
+        due = window, offset, rank, me, 0, next(self._serial), slot, step, f, None
+        return due if contact is None or due < contact else contact
 
     def _tick(self, slot: int, f: Flight) -> None:
         window, offset = tick_moment(f.next_tick or 0)
@@ -320,44 +322,40 @@ class Engine:
 
         The caller applies it and tells `replace`; stale predictions and crossings are dealt with on the way.
         """
-        heap, flights, contacts = self._heap, self.flights, self._contact
+        heap, flights = self._heap, self.flights
         window, offset = until
         while heap:
             due = heap[0]
             if due[0] >= window and (due[0] > window or due[1] > offset):
                 return None
-            heappop(heap)
-            slot, f = due[6], due[8]
+            _, _, rank, _, _, _, slot, other, f, g = due
             if flights[slot] is not f:
+                heappop(heap)
                 continue
-            rank = due[2]
-            if rank == CONTACT:
-                if flights[due[7]] is due[9]:
-                    self._happening = slot, f
-                    return due
-                if contacts[slot] is due:
-                    contacts[slot] = None
-                    self._look(slot, f, self.grid.around)
-            elif rank == _CROSSING:
-                step = due[7]
-                cell = self._cell[slot]
-                self.grid.cells[cell].remove(slot)
-                self._cell[slot] = cell + step
-                self.grid.cells[cell + step].append(slot)
-                self._look(slot, f, self.grid.ahead[step])
-                self._geometry(slot, f)
+            if rank == _CROSSING:
+                cells, cell = self.grid.cells, self._cell[slot]
+                cells[cell].remove(slot)
+                self._cell[slot] = cell + other
+                cells[cell + other].append(slot)
+                self._look(slot, f, self.grid.ahead[other])
+            elif rank == CONTACT and flights[other] is not g:
+                self._contact[slot] = None
+                self._look(slot, f, self.grid.around)
             else:
+                heappop(heap)
+                self._happening = slot, f
                 return due
+            following = self._first(slot, f)
+            if following is None:
+                heappop(heap)
+            else:
+                heapreplace(heap, following)
         return None
 
     def _compact(self) -> None:
-        """Drop the predictions that can no longer come true."""
-        flights, contacts = self.flights, self._contact
-        self._heap = [
-            due
-            for due in self._heap
-            if flights[due[6]] is due[8] and (due[2] != CONTACT or contacts[due[6]] is due)
-        ]
+        """Drop the predictions of flights that are over."""
+        flights = self.flights
+        self._heap = [due for due in self._heap if flights[due[6]] is due[8]]
         heapify(self._heap)
 
 

@@ -184,8 +184,9 @@ def _happen(world: World, engine: Engine, due: Due) -> tuple[Happened, World]:
     if engine.thrusters:
         world, kicked = _cut(world, engine, clock)
         take(world)  # no world may own the engine while an event is half done
-        f = engine.flights[slot] or f
-        g = g and engine.flights[other]
+        kicked_f, g = engine.flights[slot], g and engine.flights[other]
+        assert kicked_f is not None
+        f = kicked_f
     entities: tuple[int, ...] = (low,)
     side = ticked = None
     if g is not None:

@@ -23,8 +23,8 @@ class Grid:
     """`columns` x `rows` cells over a world of `width` x `height` km; cells hold slots.
 
     `around` are the offsets of a cell's neighbourhood; `ahead[delta]` those of the three cells that become
-    neighbours by a step of `delta`. `lefts[column]` and so on are the borders (km) of a cell's column or row,
-    None where a wall lies there. Columns and rows count from 1.
+    neighbours by a step of `delta`. `lefts[cell]`, `rights`, `bottoms` and `tops` are a cell's borders (km), None
+    where a wall lies there.
     """
 
     __slots__ = (
@@ -43,8 +43,11 @@ class Grid:
             for step in (-1, 1):
                 self.ahead[step] = (step - stride, step, step + stride)
                 self.ahead[step * stride] = (step * stride - 1, step * stride, step * stride + 1)
-        self.lefts, self.rights = _borders(width, columns)
-        self.bottoms, self.tops = _borders(height, rows)
+        lefts, rights = _borders(width, columns)
+        self.lefts = [border for border in lefts for _ in range(stride)]
+        self.rights = [border for border in rights for _ in range(stride)]
+        bottoms, tops = _borders(height, rows)
+        self.bottoms, self.tops = bottoms * (columns + 2), tops * (columns + 2)
 
     def cell_at(self, x: float, y: float) -> int:
         """The index of the cell around a place (km) in or near the world."""
@@ -54,6 +57,7 @@ class Grid:
 
 
 def _borders(size: float, cells: int) -> tuple[list[float | None], list[float | None]]:
+    """The lower and the upper border (km) of each column or row, the rim's included; None for a wall."""
     inner: list[float | None] = [i * (size / cells) for i in range(1, cells)]
     return [None, None, *inner, None], [None, *inner, None, None]
 
