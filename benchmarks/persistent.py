@@ -14,7 +14,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 from pyrsistent import PVector, pvector
 
-from benchmarks.yardstick import BOTTOM, CROSSING, LEFT, NONE, RIGHT, TOP, Due, Entry, borders
+from benchmarks.yardstick import BOTTOM, CROSSING, LEFT, NONE, RIGHT, TOP, Due, Entry
 from fasteroids import World, models
 from fasteroids.engine import CONTACT
 from fasteroids.grid import Grid, fitting
@@ -68,8 +68,8 @@ class PersistentFold:
         self.grid = grid = Grid(
             self.width, self.height, *fitting(self.width, self.height, asteroids)
         )
-        self.lefts, self.rights = borders(grid.width, grid.columns, each=grid.stride)
-        self.bottoms, self.tops = borders(grid.height, grid.rows, times=grid.columns + 2)
+        self.lefts, self.rights = grid.lefts, grid.rights
+        self.bottoms, self.tops = grid.bottoms, grid.tops
         self.masses = [a.radius * a.radius * a.radius * a.density for a in asteroids]
         self.serial = count()
         self.rows: PVector[Any] = pvector(

@@ -48,8 +48,8 @@ class Yardstick:
         self.grid = grid = Grid(
             self.width, self.height, *fitting(self.width, self.height, asteroids)
         )
-        self.lefts, self.rights = borders(grid.width, grid.columns, each=grid.stride)
-        self.bottoms, self.tops = borders(grid.height, grid.rows, times=grid.columns + 2)
+        self.lefts, self.rights = grid.lefts, grid.rights
+        self.bottoms, self.tops = grid.bottoms, grid.tops
         self.cell = [grid.cell_at(a.x, a.y) for a in asteroids]
         for slot, cell in enumerate(self.cell):
             grid.cells[cell].append(slot)
@@ -223,14 +223,3 @@ class Yardstick:
         row[8] = 0
         self.versions[slot] += 1
         self.predict(slot)
-
-
-def borders(
-    size: float, cells: int, *, each: int = 1, times: int = 1
-) -> tuple[list[float | None], list[float | None]]:
-    """The lower and upper border of every cell along one axis, None for a wall; laid out as the cells are."""
-    inner: list[float | None] = [i * (size / cells) for i in range(1, cells)]
-    low, high = [None, None, *inner, None], [None, *inner, None, None]
-    return [b for b in low for _ in range(each)] * times, [
-        b for b in high for _ in range(each)
-    ] * times

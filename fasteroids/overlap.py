@@ -10,12 +10,23 @@ within which a disc moves speed * resolution.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import ulp
 from typing import NamedTuple
 
 from fasteroids.entities import Bullet, Entity
 from fasteroids.physics import distance
+from fasteroids.units import WINDOW
 
-__all__ = ["Placed", "depth", "first_overlap", "outside", "overhang", "own_bullet", "slack"]
+__all__ = [
+    "Placed",
+    "depth",
+    "first_overlap",
+    "grace",
+    "outside",
+    "overhang",
+    "own_bullet",
+    "slack",
+]
 
 _ROUNDINGS = 16 * 2.0**-53
 
@@ -37,6 +48,16 @@ def slack(e: Entity, age: float, resolution: float, speed: float | None = None) 
         speed = abs(e.vx) + abs(e.vy)
     far = _ROUNDINGS * abs(e.x) + _ROUNDINGS * abs(e.y) + _ROUNDINGS * e.radius
     return far + _ROUNDINGS * (abs(e.vx) + abs(e.vy)) * age + speed * resolution
+
+
+def grace(e: Entity, width: float, height: float) -> float:
+    """How far (km) rounding may have put an entity before the flight it is on, of which nothing is known.
+
+    It flew inside a world of this size, no faster than its limit, at any moment of a window. Never more than
+    a part in 2^20 of its radius, the room the grid keeps free: what tiny discs do late is beyond all slack.
+    """
+    far = _ROUNDINGS * width + _ROUNDINGS * height + e.max_speed * ulp(WINDOW / 2.0)
+    return min(far, e.radius * 2.0**-20)
 
 
 def depth(a: Entity, b: Entity) -> float:

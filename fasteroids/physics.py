@@ -44,6 +44,7 @@ _SIGN_B = 8 * _U
 _SIGN_D = 16 * _U
 _TINY = 2.0**-1000
 _SMALL = 2.0**-480
+_LARGE = 2.0**480
 
 
 def contact_time_filtered(
@@ -232,14 +233,15 @@ def bounce(
 
     The impulse of the text in reduced-mass form, v_i + 2 w_i (b / r.r) r with w_i = m_j / (m_i + m_j), divided
     by the true squared distance instead of sigma^2: the balance of energy is then exact whatever rounding left
-    between the discs, and no product of masses overflows. r is scaled by a power of two, the weights come from
-    the smaller ratio of the masses.
+    between the discs, and no product of masses overflows. An extreme r is scaled by a power of two, the weights
+    come from the smaller ratio of the masses.
     """
     big = max(abs(x), abs(y))
     if big == 0.0:
         return vxi, vyi, vxj, vyj
-    scale = -frexp(big)[1]
-    x, y = ldexp(x, scale), ldexp(y, scale)
+    if not _SMALL < big < _LARGE:  # scaling is exact: it only keeps the squares in range
+        scale = -frexp(big)[1]
+        x, y = ldexp(x, scale), ldexp(y, scale)
     b = (vxj - vxi) * x + (vyj - vyi) * y
     if not b < 0.0:
         return vxi, vyi, vxj, vyj

@@ -7,7 +7,7 @@ nor how a world takes a change over (see `fasteroids.state.replaced`).
 from __future__ import annotations
 
 from collections.abc import Iterable
-from math import cos, frexp, isfinite, ldexp, sin, sqrt
+from math import cos, isfinite, sin, sqrt
 from typing import Literal, NamedTuple
 
 from attrs import evolve
@@ -15,15 +15,16 @@ from attrs import evolve
 from fasteroids import chance, physics
 from fasteroids.actions import Action, Fire, Skip, Thrust, ThrustOff, Ticked, Turn
 from fasteroids.entities import Asteroid, Bullet, Entity, Ship, id_of, moving
-from fasteroids.moments import Moment, between, resolution
-from fasteroids.overlap import Placed, depth, outside, own_bullet, slack
-from fasteroids.state import Flight, World, describe, flight, located, placed
+from fasteroids.moments import Moment, between
+from fasteroids.overlap import depth, outside, own_bullet
+from fasteroids.state import Flight, World, describe, flight, located, placed, standing
 from fasteroids.units import (
     BULLET_RADIUS,
     BULLET_SPEED,
     CHILD_SPEED_FACTOR,
     MAX_BULLETS,
     SPLIT_RADIUS,
+    WINDOW,
     ModelError,
     number,
     shown,
@@ -50,15 +51,18 @@ class Change(NamedTuple):
 
 
 def masses(a: Entity, b: Entity) -> tuple[float, float]:
-    """The masses of two entities; in kg if one is a ship, else in a unit in which they neither over- nor underflow.
+    """The masses of two entities; in kg if one is a ship, else in a unit that keeps them from over- and underflow.
 
-    A bounce asks for their ratio only, and two spheres of 1e-120 km have one.
+    A bounce asks for their ratio only, and two spheres of 1e-120 km have one. The unit is the larger sphere, so
+    that the order of the two changes no bit.
     """
     if isinstance(a, Ship) or isinstance(b, Ship):
         return a.mass, b.mass
-    scale = -frexp(max(a.radius, b.radius))[1]
-    p, q = ldexp(a.radius, scale), ldexp(b.radius, scale)
-    return p * p * p * a.density, q * q * q * b.density
+    if a.radius <= b.radius:
+        ratio = a.radius / b.radius
+        return ratio * ratio * ratio * a.density, b.density
+    ratio = b.radius / a.radius
+    return a.density, ratio * ratio * ratio * b.density
 
 
 def bounce(a: Entity, b: Entity) -> tuple[Entity, Entity]:
@@ -88,7 +92,8 @@ def contact(world: World, now: Moment, f: Flight, g: Flight) -> Change:
     """Two flights touch at `now` (1.5.2): bounce, or die."""
     a, b = f.entity, g.entity
     if type(a) is type(b) and type(a) is not Bullet:
-        s, t = between(f.since, now), between(g.since, now)
+        s = (now[0] - f.since[0]) * WINDOW + (now[1] - f.since[1])
+        t = (now[0] - g.since[0]) * WINDOW + (now[1] - g.since[1])
         xa, ya, xb, yb = a.x + a.vx * s, a.y + a.vy * s, b.x + b.vx * t, b.y + b.vy * t
         a, b, ca, cb = _bounced(a, xa, ya, b, xb, yb)
         clipped = tuple(id_of(e) for e, c in ((a, ca), (b, cb)) if c) if ca or cb else ()
@@ -243,7 +248,8 @@ def fire(world: World, ship: Entity) -> Change:
         ship,  # type: ignore[arg-type]
         id=bullet_id,
     )
-    here = Placed(bullet, slack(bullet, 0.0, resolution(world.now)))
+    shot = flight(world.now, bullet, 0, None)
+    here = standing(world, shot)
     if outside(here, world.width, world.height):
         return Change("fire")
     for other in placed(world):
@@ -253,7 +259,7 @@ def fire(world: World, ship: Entity) -> Change:
         ):
             death = deaths(world.seed, world.now, bullet_id + 1, (occupant,))
             return death._replace(effect="fire", passing=(bullet_id,))
-    return Change("fire", born=(flight(world.now, bullet, 0, None),))
+    return Change("fire", born=(shot,))
 
 
 # Ticks.

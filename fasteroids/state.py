@@ -29,7 +29,7 @@ from fasteroids.moments import (
     seconds,
     tick_after,
 )
-from fasteroids.overlap import Placed, depth, first_overlap, outside, slack
+from fasteroids.overlap import Placed, depth, first_overlap, grace, outside, slack
 from fasteroids.units import MAX_WORLD_SIZE, ModelError, number, shown
 
 __all__ = ["Cache", "Flight", "Roster", "World", "located"]
@@ -249,9 +249,7 @@ class World:
                 raise ModelError(f"id {entity.id} was used before; leave the id out for a new one")
             next_id = id_of(entity) + 1
             flights.append(starting(entity, self.now))
-        check_room(
-            self, [Placed(f.entity, slack(f.entity, 0.0, resolution(self.now))) for f in flights]
-        )
+        check_room(self, [standing(self, f) for f in flights])
         return replaced(self, self.clock, (), flights, ())
 
     def remove(self, entity_id: int) -> World:
@@ -299,14 +297,17 @@ def describe(entity: Entity) -> str:
     return f"{type(entity).__name__.lower()} {who}"
 
 
+def standing(world: World, f: Flight) -> Placed:
+    """The entity of a flight where it is now, and how far rounding may have put it from there."""
+    now = world.now
+    e = located(f, now)
+    here = slack(e, between(f.since, now), resolution(now))
+    return Placed(e, here + grace(e, world.width, world.height))
+
+
 def placed(world: World) -> list[Placed]:
-    """Every entity where it is now, with its slack."""
-    now, fine = world.now, resolution(world.now)
-    result = []
-    for f in world.all_flights().values():
-        e = located(f, now)
-        result.append(Placed(e, slack(e, between(f.since, now), fine)))
-    return result
+    """Every entity where it is now."""
+    return [standing(world, f) for f in world.all_flights().values()]
 
 
 def check_room(world: World, news: Sequence[Placed]) -> None:

@@ -230,7 +230,9 @@ def test_what_overlapped_before_is_not_the_doing_of_the_run(
 
 
 def test_walls_missed(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("fasteroids.engine.wall_time", lambda *_: inf)
+    monkeypatch.setattr(
+        "fasteroids.engine.Engine._first", lambda self, slot, _: self._contact[slot]
+    )
     found = audit(World(200.0, 200.0).add(Asteroid(100.0, 100.0, 10.0, 0.0, 10.0)), 10.0)
     assert broken(found) == {"out of bounds"}
     assert margin(found, "out of bounds").worst == pytest.approx(10.0)

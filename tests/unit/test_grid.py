@@ -55,9 +55,11 @@ def test_ahead_are_the_cells_that_become_neighbours() -> None:
 
 def test_borders_are_walls_at_the_rim_and_rise_between() -> None:
     grid = Grid(100.0, 30.0, 10, 3)
+    columns = slice(1, None, grid.stride)  # one cell of each column, and of each row
+    rows = slice(grid.stride, 2 * grid.stride)
     for lows, highs, cells, size in (
-        (grid.lefts, grid.rights, 10, 100.0),
-        (grid.bottoms, grid.tops, 3, 30.0),
+        (grid.lefts[columns], grid.rights[columns], 10, 100.0),
+        (grid.bottoms[rows], grid.tops[rows], 3, 30.0),
     ):
         assert lows[1] is None
         assert highs[cells] is None

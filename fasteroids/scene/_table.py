@@ -12,7 +12,7 @@ from typing import Any, TypeAlias, TypeVar
 
 from attrs import frozen
 
-from fasteroids._scene_text import BARE, MOST_BITS, Path, Problem, SceneError, lines_of, shown
+from fasteroids.scene._text import BARE, MOST_BITS, Path, Problem, SceneError, lines_of, shown
 from fasteroids.units import ModelError
 
 __all__ = [

@@ -13,8 +13,10 @@ from typing import Any, Final, TypeGuard
 
 from attrs import frozen
 
-from fasteroids._scene_field import MOST_ASTEROIDS, Field
-from fasteroids._scene_table import (
+from fasteroids.entities import Asteroid, Bullet, Entity, Ship
+from fasteroids.moments import START, Clock, Moment, moment_at, seconds
+from fasteroids.scene._field import MOST_ASTEROIDS, Field
+from fasteroids.scene._table import (
     INTEGER,
     NUMBER,
     SWITCH,
@@ -32,9 +34,7 @@ from fasteroids._scene_table import (
     tables_of,
     typed,
 )
-from fasteroids._scene_text import shown
-from fasteroids.entities import Asteroid, Bullet, Entity, Ship
-from fasteroids.moments import START, Clock, Moment, moment_at, seconds
+from fasteroids.scene._text import shown
 from fasteroids.state import World
 from fasteroids.units import SPEED_OF_LIGHT, WINDOW, ModelError
 

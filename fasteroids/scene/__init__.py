@@ -14,14 +14,14 @@ from typing import Final
 from attrs import NOTHING, fields
 
 from fasteroids import models
-from fasteroids._scene_draft import Draft, Member, drafted
-from fasteroids._scene_field import MOST_TRIES, scattered
-from fasteroids._scene_table import Faults, Table
-from fasteroids._scene_text import Path, Problem, SceneError, parsed, written
 from fasteroids.engine import WALLS, Engine
 from fasteroids.entities import Asteroid, Bullet, Entity, Ship, moving
 from fasteroids.moments import ORIGIN, START, moment_at, resolution, seconds
 from fasteroids.overlap import Placed, depth, own_bullet, slack
+from fasteroids.scene._draft import Draft, Member, drafted
+from fasteroids.scene._field import MOST_TRIES, scattered
+from fasteroids.scene._table import Faults, Table
+from fasteroids.scene._text import Path, Problem, SceneError, parsed, written
 from fasteroids.state import Flight, World, check_room, describe, flight, located, replaced
 from fasteroids.units import ModelError
 
