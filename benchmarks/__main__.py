@@ -1,4 +1,4 @@
-"""`python -m benchmarks [NAME...] [--quick] [--json]`: measure, and say which bounds are met."""
+"""`python -m benchmarks [NAME...] [--quick] [--json | --markdown]`: measure, and say which bounds are met."""
 
 from __future__ import annotations
 
@@ -48,6 +48,14 @@ def printed(table: Table) -> Grid:
     return result
 
 
+def markdown(table: Table) -> str:
+    """A table for README.md."""
+    verdicts = {True: "met", False: "**missed**", None: ""}
+    rows = [f"| {f.what} | {f.asked} | {f.measured} | {verdicts[f.met]} |" for f in table.figures]
+    head = ["| what | asked | measured: median [min - max] | |", "|---|---|---|---|"]
+    return "\n".join([f"### {table.title}", "", *head, *rows, "", table.note]).rstrip() + "\n"
+
+
 def plain(f: Figure) -> dict[str, object]:
     """A figure for programs."""
     return {**attrs.asdict(f), "met": f.met}
@@ -58,7 +66,9 @@ def main() -> int:
     parser = ArgumentParser(prog="python -m benchmarks", description=__doc__)
     parser.add_argument("names", nargs="*", metavar="NAME", help=", ".join(BENCHMARKS))
     parser.add_argument("--quick", action="store_true", help="fewer events and turns: about 30 s")
-    parser.add_argument("--json", action="store_true", help="one JSON object on stdout")
+    form = parser.add_mutually_exclusive_group()
+    form.add_argument("--json", action="store_true", help="one JSON object on stdout")
+    form.add_argument("--markdown", action="store_true", help="tables as in benchmarks/README.md")
     options = parser.parse_args()
     unknown = [name for name in options.names if name not in BENCHMARKS]
     if unknown:
@@ -74,7 +84,9 @@ def main() -> int:
         tables[name] = BENCHMARKS[name](QUICK if options.quick else FULL)
         print(f"{perf_counter() - start:.1f} s", file=sys.stderr, flush=True)
         gc.collect()
-        if not options.json:
+        if options.markdown:
+            print(markdown(tables[name]))
+        elif not options.json:
             out.print(printed(tables[name]), "")
     if options.json:
         print(
@@ -82,7 +94,7 @@ def main() -> int:
                 {name: [plain(f) for f in t.figures] for name, t in tables.items()}, indent=1
             )
         )
-    elif not options.names:
+    elif not options.markdown and not options.names:
         out.print(
             f"The collector's first threshold was {GC_THRESHOLD:,}, as an application would set it."
         )

@@ -55,7 +55,7 @@ _CROSSING = -1  # before all events: it only widens what a disc knows
 _LEFT, _RIGHT, _BOTTOM, _TOP = WALLS
 _NONE = (inf,)  # later than every prediction
 
-GRID_FROM = 8
+GRID_FROM = 10
 """With fewer entities every disc is compared with every other (measured, see benchmarks/README.md)."""
 
 Due: TypeAlias = tuple[int, float, int, int, int, int, int, int, Flight, Flight | None]

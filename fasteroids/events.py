@@ -6,7 +6,7 @@ world, a game, a recorder, a debugger, a test, iterates over it; there are no ca
 
 from __future__ import annotations
 
-from collections.abc import Generator, Iterable
+from collections.abc import Generator
 from typing import Any
 
 from attrs import field, frozen
@@ -19,7 +19,7 @@ from fasteroids.entities import Entity, checked, id_of
 from fasteroids.moments import Clock, advanced, clock_at, seconds
 from fasteroids.overlap import own_bullet
 from fasteroids.physics import NEVER, wall_time
-from fasteroids.state import Flight, World, describe, replaced
+from fasteroids.state import World, describe, replaced
 from fasteroids.units import ModelError, shown
 
 __all__ = [
@@ -204,18 +204,15 @@ def _happen(world: World, engine: Engine, due: Due) -> tuple[Happened, World]:
     else:
         kind, side = "wall", WALLS[rank]
         change = rules.wall(world, moment, f, side)
-    effect, flights, born, dead, clipped, passing, at = change
-    world = _changed(world, clock, zip((slot, other), flights, strict=False), change, engine)
+    effect, _, born, dead, clipped, passing, at = change
+    world = _changed(world, clock, (slot, other), change, engine)
+    births: tuple[int, ...] = ()
     if born or passing:
         births = tuple(sorted((*passing, *(id_of(b.entity) for b in born))))
         dead = tuple(sorted((*passing, *dead)))
-    else:
-        births = ()
     if kicked:
         clipped = tuple(sorted({*kicked, *clipped}))
-    prints, span, reason = (
-        (ticked.prints, ticked.span, ticked.reason) if ticked else ((), None, None)
-    )
+    prints, span, reason = ((), None, None) if ticked is None else ticked[3:]
     happened = _happened(
         seconds(window, offset), kind, entities, side, effect, dead, births, clipped, at, prints, span, reason,
     )  # fmt: skip
@@ -223,14 +220,12 @@ def _happen(world: World, engine: Engine, due: Due) -> tuple[Happened, World]:
 
 
 def _changed(
-    world: World,
-    clock: Clock,
-    changed: Iterable[tuple[int, Flight]],
-    change: rules.Change,
-    engine: Engine | None,
+    world: World, clock: Clock, slots: tuple[int, ...], change: rules.Change, engine: Engine | None
 ) -> World:
-    next_id = change.passing[-1] + 1 if change.passing else 1
-    return replaced(world, clock, tuple(changed), change.born, change.dead, next_id, engine)
+    """The world after a change, whose flights belong into the first of these slots."""
+    _, flights, born, dead, _, passing, _ = change
+    next_id = passing[-1] + 1 if passing else 1
+    return replaced(world, clock, tuple(zip(slots, flights)), born, dead, next_id, engine)  # noqa: B905
 
 
 def act(world: World, ship_id: int, action: Action) -> World:
@@ -241,7 +236,7 @@ def act(world: World, ship_id: int, action: Action) -> World:
     """
     slot = world.slot_of(ship_id)
     change = rules.apply(world, world.flight_of(ship_id), action)
-    return _changed(world, world.clock, ((slot, f) for f in change.changed), change, None)
+    return _changed(world, world.clock, (slot,), change, None)
 
 
 def time_to_contact(a: Entity, b: Entity, *, model: str = models.DEFAULT) -> float:

@@ -15,9 +15,9 @@ from attrs import evolve
 from fasteroids import chance, physics
 from fasteroids.actions import Action, Fire, Skip, Thrust, ThrustOff, Ticked, Turn
 from fasteroids.entities import Asteroid, Bullet, Entity, Ship, id_of, moving
-from fasteroids.moments import Moment, between
-from fasteroids.overlap import depth, outside, own_bullet
-from fasteroids.state import Flight, World, describe, flight, located, placed, standing
+from fasteroids.moments import Moment, between, resolution
+from fasteroids.overlap import Placed, depth, outside, own_bullet, slack
+from fasteroids.state import Flight, World, describe, flight, located, placed
 from fasteroids.units import (
     BULLET_RADIUS,
     BULLET_SPEED,
@@ -248,8 +248,7 @@ def fire(world: World, ship: Entity) -> Change:
         ship,  # type: ignore[arg-type]
         id=bullet_id,
     )
-    shot = flight(world.now, bullet, 0, None)
-    here = standing(world, shot)
+    here = Placed(bullet, slack(bullet, 0.0, resolution(world.now)))
     if outside(here, world.width, world.height):
         return Change("fire")
     for other in placed(world):
@@ -259,7 +258,7 @@ def fire(world: World, ship: Entity) -> Change:
         ):
             death = deaths(world.seed, world.now, bullet_id + 1, (occupant,))
             return death._replace(effect="fire", passing=(bullet_id,))
-    return Change("fire", born=(shot,))
+    return Change("fire", born=(flight(world.now, bullet, 0, None),))
 
 
 # Ticks.

@@ -355,7 +355,9 @@ def replaced(
     else:
         for slot, f in changed:
             flights = flights.set(slot, f)
-    roster, born_slots, dead_slots = world.roster, [], []
+    roster = world.roster
+    born_slots: list[tuple[int, Flight]] = []
+    dead_slots: list[int] = []
     if born or dead or next_id > roster.next_id:
         free, next_id = roster.free, max(next_id, roster.next_id)
         slots, vector = roster.slots.evolver(), flights.evolver()
@@ -376,10 +378,9 @@ def replaced(
             next_id = max(next_id, id_of(f.entity) + 1)
             born_slots.append((slot, f))
         flights, roster = vector.persistent(), Roster(slots.persistent(), free, next_id)
-    result = _world(world.width, world.height, world.seed, world.model, clock, flights, roster, [])
     if cache is None and world._box:
         cache = world._box.pop()
     if cache is not None:
         cache.replace(clock, changed, born_slots, dead_slots)
-        result._box.append(cache)
-    return result
+    box = [] if cache is None else [cache]
+    return _world(world.width, world.height, world.seed, world.model, clock, flights, roster, box)
