@@ -13,7 +13,7 @@ from fasteroids import Asteroid, Bullet, Fire, Ship, Skip, Thrust, World
 from fasteroids.testing import Script, unfold, worlds
 from tests.properties.laws import EVENTS, same, world_law
 
-GOLDEN = "d23058e35734bf37873c15f2c2b64710aac8907f83b0db14af64bb4abd4971f9"
+GOLDEN = "88b51683219d27cf6e25f6f925052c504e29bf57d0096e1f573d0f68ceed9135"
 
 
 def busy(model: str = "robust") -> World:

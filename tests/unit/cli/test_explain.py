@@ -10,6 +10,7 @@ from click.testing import Result
 
 from fasteroids import Asteroid, Bullet, Ship, World
 from fasteroids.cli.explain import advice, plan
+from fasteroids.engine import GRID_FROM
 from fasteroids.testing.scripts import Script
 
 Call = Callable[..., Result]
@@ -26,7 +27,7 @@ def test_tells_the_plan(call: Call, scene: str) -> None:
     told = " ".join(shown.stdout.split())
     assert "scene.toml: 2 ships, 1 asteroid and 1 bullet in 400 x 200 km; seed 4" in told
     assert "model robust: hit or miss is decided right for all doubles" in told
-    assert "grid left out: 4 entities: with fewer than 8" in told
+    assert f"grid left out: 4 entities: with fewer than {GRID_FROM}" in told
     assert "thrust left out: no ship's thruster is on" in told
     assert "bullets used: in flight: bullet #4" in told
     assert "ticks left out: no ship runs a program" in told
@@ -49,13 +50,13 @@ def test_json(call: Call, busy: str) -> None:
 
 
 def test_names_who_asks_for_a_part() -> None:
-    ships = [ship(20.0 * i + 20.0, thruster=True) for i in range(8)]
-    pilot = ship(200.0, name="ace", program=Script((None,)))
+    ships = [ship(20.0 * i + 20.0, thruster=True) for i in range(GRID_FROM)]
+    pilot = ship(300.0, name="ace", program=Script((None,)))
     world = World(400.0, 100.0).add_all([*ships, pilot])
     parts = plan(world)
     assert parts["thrust"].used
     assert parts["thrust"].why == (
-        "the thruster is on: ship #1, ship #2, ship #3, ship #4, ship #5 and 3 more"
+        "the thruster is on: ship #1, ship #2, ship #3, ship #4, ship #5 and 5 more"
     )
     assert parts["ticks"].used
     assert parts["ticks"].why == "a program runs: ace"
@@ -64,7 +65,7 @@ def test_names_who_asks_for_a_part() -> None:
 
 def test_discs_too_wide_for_cells() -> None:
     giant = Asteroid(110.0, 45.0, 0.0, 0.0, 40.0, name="Vesta")
-    dust = [Asteroid(5.0 + 5.0 * i, 95.0, 1.0, 0.0, 1.0) for i in range(8)]
+    dust = [Asteroid(5.0 + 5.0 * i, 95.0, 1.0, 0.0, 1.0) for i in range(GRID_FROM)]
     part = plan(World(150.0, 100.0).add_all([giant, *dust]))["grid"]
     assert not part.used
     assert "Vesta, 2 r = 80 km" in part.why
