@@ -61,11 +61,14 @@ def slots(effort: Effort) -> Table:
 
 
 def _share(name: str, n: int, update: Callable[..., Any], start: Any) -> Figure:
-    """Bytes that a kept version takes, beside the values in it."""
-    versions, values = [start], [object() for _ in range(400)]
+    """Bytes that a kept version takes, beside the values in it.
+
+    Many versions, because PVector reuses a thousand nodes of earlier ones, which are not traced again.
+    """
+    versions, values = [start], [object() for _ in range(4_000)]
     tracemalloc.start()
     for i, value in enumerate(values):
-        versions.append(update(versions[-1], i * 7 % n, (i * 7 + 3) % n, value))
+        versions.append(update(versions[-1], i * 7 % n, (i * 7 + n // 2) % n, value))
     size = tracemalloc.get_traced_memory()[0] / len(values)
     tracemalloc.stop()
     return Figure(f"N = {n:,}: a kept {name}", size, size, size, "bytes")

@@ -101,12 +101,21 @@ def ratios(above: Sequence[float], below: Sequence[float]) -> list[float]:
     return [a / b for a, b in zip(above, below, strict=True)]
 
 
-def turns(rounds: int, contenders: Mapping[str, Callable[[], float]]) -> dict[str, list[float]]:
-    """What each contender measures, turn by turn, all of them in every turn."""
+def turns(
+    rounds: int, contenders: Mapping[str, Callable[[], float]], *, slices: int = 1
+) -> dict[str, list[float]]:
+    """What each contender measures, turn by turn, all of them in every turn.
+
+    With slices a turn goes around so many times and takes each contender's median, which close ratios need.
+    """
     taken: dict[str, list[float]] = {name: [] for name in contenders}
     for _ in range(rounds):
-        for name, measured in contenders.items():
-            taken[name].append(measured())
+        seen: dict[str, list[float]] = {name: [] for name in contenders}
+        for _ in range(slices):
+            for name, measured in contenders.items():
+                seen[name].append(measured())
+        for name, values in seen.items():
+            taken[name].append(median(values))
     return taken
 
 

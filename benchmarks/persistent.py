@@ -70,7 +70,6 @@ class PersistentFold:
         )
         self.lefts, self.rights = grid.lefts, grid.rights
         self.bottoms, self.tops = grid.bottoms, grid.tops
-        self.masses = [a.radius * a.radius * a.radius * a.density for a in asteroids]
         self.serial = count()
         self.rows: PVector[Any] = pvector(
             (window, offset, a.x, a.y, a.vx, a.vy, a.radius, a.id, 0, 0) for a in asteroids
@@ -224,9 +223,7 @@ class PersistentFold:
                 slot, other = other, slot
             x, y, vx, vy, r, me, version = self.moved(slot, window, offset)
             xo, yo, vxo, vyo, ro, it, its_version = self.moved(other, window, offset)
-            vx, vy, vxo, vyo = bounce(
-                xo - x, yo - y, vx, vy, self.masses[slot], vxo, vyo, self.masses[other]
-            )
+            vx, vy, vxo, vyo = bounce(xo - x, yo - y, vx, vy, 1.0, vxo, vyo, 1.0)
             mine = window, offset, x, y, vx, vy, r, me, it, version + 1
             its = window, offset, xo, yo, vxo, vyo, ro, it, me, its_version + 1
             self.rows = self.rows.mset(slot, mine, other, its)  # type: ignore[arg-type]

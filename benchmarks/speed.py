@@ -13,7 +13,8 @@ from benchmarks.yardstick import Yardstick
 from fasteroids import World, evolve, happenings
 
 PEER_EVENTS = 40  # a round; the peer is some hundred times slower
-EVENTS = 6_000  # a round
+EVENTS = 12_000  # a round
+SLICES = 5
 
 
 def unfolding(world: World) -> Callable[[int], object]:
@@ -84,10 +85,11 @@ def peer(effort: Effort) -> Table:
 def against_yardstick(effort: Effort) -> Table:
     """Against the same algorithm in place, without worlds."""
     n = effort.size(1_000)
-    world, events = workload(n), effort.events(EVENTS)
+    world, events = workload(n), effort.events(EVENTS // SLICES)
     taken = turns(
         effort.rounds,
         {"engine": rate(engine(world), events), "yardstick": rate(yardstick(world), events)},
+        slices=SLICES,
     )
     return Table(
         "Against the yardstick",
@@ -123,10 +125,11 @@ def growth(effort: Effort) -> Table:
 
 def levels(effort: Effort) -> Table:
     """What deciding right costs."""
-    n, events = effort.size(1_000), effort.events(EVENTS)
+    n, events = effort.size(1_000), effort.events(EVENTS // SLICES)
     taken = turns(
         effort.rounds,
         {model: rate(engine(workload(n, model=model)), events) for model in ("robust", "spec")},
+        slices=SLICES,
     )
     return Table(
         "robust against spec",
