@@ -28,10 +28,10 @@ test: venv  ## format, lint, types, import contracts, unit and property tests
 	$(BIN)ruff check --quiet .
 	$(BIN)mypy --strict
 	$(BIN)lint-imports --no-logo
-	FASTEROIDS_PROFILE=ci $(BIN)python -m pytest -n $(WORKERS)
+	FASTEROIDS_PROFILE=ci $(BIN)python -m pytest -n $(WORKERS) --dist worksteal
 
 test-long: venv  ## the laws at length, a line each at the end (LAW=L3 for one alone)
-	FASTEROIDS_PROFILE=long $(BIN)python -m pytest tests/properties -n $(WORKERS) \
+	FASTEROIDS_PROFILE=long $(BIN)python -m pytest tests/properties -n $(WORKERS) --dist worksteal \
 	    --tb=short -rpfEsxX $(ONLY)
 
 test-all:  ## the tests with every Python from 3.11 to 3.13 that is here

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from math import ulp
 
 from hypothesis import given, reject
 from hypothesis import strategies as st
@@ -10,6 +11,9 @@ from hypothesis import strategies as st
 from fasteroids import ModelError, World, evolve, evolve_until
 from fasteroids.testing import keeping, unfold, worlds
 from tests.properties.laws import EVENTS, continued, same, world_law
+
+ULP_OF_RESIDUE = Fraction(1, 2**96)
+"""A residue is below 2^-43 s, so it is a multiple of at most 2^-96 s: what a step's own rounding of it may lose."""
 
 
 @world_law
@@ -42,9 +46,23 @@ def test_L1_flow_without_watching(world: World, data: st.DataObject) -> None:
         assert whole_way == evolve_until(evolve_until(world, cut), end)
 
 
-@given(worlds(max_size=3, flavours=("ordinary",)), st.integers(1, 60))
-def test_L1_flow_of_the_clock(world: World, steps: int) -> None:
-    sliced = world
-    for _ in range(steps):
-        sliced = evolve(sliced, 0.1)
-    assert float(steps * Fraction(0.1)) == sliced.time
+@given(st.lists(st.floats(0.0, 1e4), max_size=30), st.floats(0.0, 1e6))
+def test_L1_flow_of_the_clock(steps: list[float], start: float) -> None:
+    """The clock carries what rounding leaves: it shows the double nearest to the exact sum of its steps."""
+    world = evolve_until(World(1, 1), start)
+    for step in steps:
+        world = evolve(world, step)
+    exact = sum(map(Fraction, steps), Fraction(start))
+    window, offset, residue = world.clock
+    assert (
+        abs(window * 1024 + Fraction(offset) + Fraction(residue) - exact)
+        <= len(steps) * ULP_OF_RESIDUE
+    )
+    assert abs(Fraction(world.time) - exact) <= Fraction(ulp(world.time))
+
+
+def test_L1_flow_of_the_clock_through_tenths() -> None:
+    world = World(1, 1)
+    for n in range(1, 601):
+        world = evolve(world, 0.1)
+        assert float(n * Fraction(0.1)) == world.time
