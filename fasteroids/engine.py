@@ -107,7 +107,6 @@ class Engine:
         self._forced = plan
         self._serial = count()
         self.asked = self.undecided = 0
-        self._happening: tuple[int, Flight] | None = None
         self.flights: list[Flight | None] = list(world.flights)
         self._build(world.now)
 
@@ -116,6 +115,9 @@ class Engine:
     def _build(self, now: Moment) -> None:
         """Everything from the flights alone."""
         size = len(self.flights)
+        self._happening: tuple[int, Flight] | None = (
+            None  # who had queued the event that is being applied
+        )
         self.thrusters: set[int] = set()
         self._bullets = self._forced is not None and self._forced.bullets
         self._rows: list[_Row | None] = [None] * size
