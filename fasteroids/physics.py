@@ -22,7 +22,6 @@ __all__ = [
     "UNDECIDED",
     "approaching",
     "bounce",
-    "contact_time",
     "contact_time_exact",
     "contact_time_filtered",
     "distance",
@@ -166,17 +165,6 @@ def contact_time_exact(
         if low == high or root * root == d << 2 * bits:
             return high
         bits = 2 * bits + 64
-
-
-def contact_time(
-    xi: float, yi: float, vxi: float, vyi: float, ri: float,
-    xj: float, yj: float, vxj: float, vyj: float, rj: float,
-) -> float:  # fmt: skip
-    """Seconds until two discs touch: the filter, and the exact formula where it is undecided."""
-    t = contact_time_filtered(xi, yi, vxi, vyi, ri, xj, yj, vxj, vyj, rj)
-    if t != t:
-        t = contact_time_exact(xi, yi, vxi, vyi, ri, xj, yj, vxj, vyj, rj)
-    return t
 
 
 def wall_time(x: float, v: float, low: float, high: float) -> float:

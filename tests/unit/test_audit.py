@@ -16,7 +16,7 @@ from fasteroids import evolve as evolved
 from fasteroids.audit import Audit, Auditor, Margin, audit, imbalance
 from fasteroids.entities import Entity, moving
 from fasteroids.events import storm_limit
-from fasteroids.models import Model
+from fasteroids.models import Model, robust
 from fasteroids.state import replaced, starting
 from fasteroids.testing import worlds
 
@@ -184,7 +184,7 @@ def test_skipped_contact_is_found_when_a_wall_ends_the_flight(
 
 @pytest.mark.parametrize("late", [1e-3, 1e-6, 1e-9, 1e-12])
 def test_late_contact_is_seen(late: float, monkeypatch: pytest.MonkeyPatch) -> None:
-    deciding(monkeypatch, lambda *args: physics.contact_time(*args) * (1.0 + late))
+    deciding(monkeypatch, lambda *args: robust.MODEL.contact_time(*args) * (1.0 + late))
     found = audit(head_on(), 8.0)
     assert broken(found) == {"overlap"}
     assert margin(found, "overlap").worst == pytest.approx(20.0 * 4.0 * late, rel=0.1)
@@ -195,7 +195,7 @@ def test_one_contact_skipped_among_many(skipped: int, monkeypatch: pytest.Monkey
     turns = itertools.count()
 
     def forgetful(*args: Any) -> float:
-        time = physics.contact_time(*args)
+        time = robust.MODEL.contact_time(*args)
         return inf if time < inf and next(turns) % 10 == skipped else time
 
     deciding(monkeypatch, forgetful)

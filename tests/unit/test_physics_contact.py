@@ -12,10 +12,10 @@ from typing import NamedTuple
 
 import pytest
 
+from fasteroids.models import robust
 from fasteroids.physics import (
     NEVER,
     UNDECIDED,
-    contact_time,
     contact_time_exact,
     contact_time_filtered,
     wall_time,
@@ -243,7 +243,7 @@ def test_the_cases_hit_and_miss_in_every_kind() -> None:
 
 def test_contact_time_is_of_the_right_class_and_near_enough() -> None:
     for name, pair, true in cases():
-        t = contact_time(*pair)
+        t = robust.MODEL.contact_time(*pair)
         if true.nearest == inf:  # a miss, or a hit beyond all doubles
             assert t == NEVER, (name, pair)
         else:
@@ -316,7 +316,7 @@ def test_contact_time_where_the_formula_of_the_text_fails(pair: Pair, seconds: f
     assert true.nearest == pytest.approx(seconds, rel=1e-4)
     assert contact_time_exact(*pair) == true.nearest
     allowed = Fraction(spacing(true.nearest)) / 2 + 4 * U * true.blur
-    assert abs(Fraction(contact_time(*pair)) - true.high) <= allowed
+    assert abs(Fraction(robust.MODEL.contact_time(*pair)) - true.high) <= allowed
 
 
 def swapped(pair: Pair) -> Pair:
@@ -350,15 +350,15 @@ def test_contact_time_has_the_same_bits_by_symmetry(motion: Callable[[Pair], Pai
 def test_contact_time_of_numbers_that_are_none_is_an_answer(wrong: float, place: int) -> None:
     pair = [0.0, 0.0, 1.0, 0.0, 1.0, 10.0, 0.0, -1.0, 0.0, 1.0]
     pair[place] = wrong
-    t = contact_time(*pair)
+    t = robust.MODEL.contact_time(*pair)
     assert t >= 0.0
     assert contact_time_exact(*pair) == NEVER
 
 
 def test_contact_time_at_rest_apart_and_in_one_place() -> None:
-    assert contact_time(0, 0, 5, 5, 1, 10, 0, 5, 5, 1) == NEVER
-    assert contact_time(0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0) == NEVER
-    assert contact_time(0.0, 0.0, -1.0, 0.0, 1.0, 10.0, 0.0, 0.0, 0.0, 1.0) == NEVER
+    assert robust.MODEL.contact_time(0, 0, 5, 5, 1, 10, 0, 5, 5, 1) == NEVER
+    assert robust.MODEL.contact_time(0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0) == NEVER
+    assert robust.MODEL.contact_time(0.0, 0.0, -1.0, 0.0, 1.0, 10.0, 0.0, 0.0, 0.0, 1.0) == NEVER
 
 
 # Walls.
