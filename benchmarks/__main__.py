@@ -24,6 +24,7 @@ BENCHMARKS: Mapping[str, Callable[[Effort], Table]] = {
     "yardstick": speed.against_yardstick,
     "growth": speed.growth,
     "levels": speed.levels,
+    "thrust": speed.thrust,
     "idle": speed.idle,
     "memory": memory.memory,
     "startup": startup.startup,

@@ -8,7 +8,7 @@ from itertools import islice, pairwise
 from time import process_time
 
 from benchmarks.measure import Effort, Table, call_time, figure, rate, ratios, turns
-from benchmarks.workload import FOREVER, after, workload
+from benchmarks.workload import FOREVER, after, thrusting, workload
 from benchmarks.yardstick import Yardstick
 from fasteroids import World, evolve, happenings
 
@@ -141,6 +141,31 @@ def levels(effort: Effort) -> Table:
             ),
             *(figure(model, rates, "events/s") for model, rates in taken.items()),
         ],
+    )
+
+
+def thrust(effort: Effort) -> Table:
+    """What exact paths cost."""
+    n, events = effort.size(30), effort.events(EVENTS // SLICES)
+    taken = turns(
+        effort.rounds,
+        {
+            rule: rate(engine(thrusting(n, 4, model=model)), events)
+            for rule, model in (("literal", "robust"), ("smooth", "smooth"))
+        },
+        slices=SLICES,
+    )
+    return Table(
+        "smooth against literal",
+        [
+            figure(
+                f"events/s of smooth over literal, N = {n}, 4 ships thrusting",
+                ratios(taken["smooth"], taken["literal"]),
+                at_least=0.5,
+            ),
+            *(figure(rule, rates, "events/s") for rule, rates in taken.items()),
+        ],
+        "literal gives each thrusting ship a new flight at every event, smooth only at its own.",
     )
 
 

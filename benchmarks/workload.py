@@ -7,10 +7,10 @@ neighbours, so that none overlap. Velocities are normal, scaled so that each com
 from __future__ import annotations
 
 from itertools import islice
-from math import ceil, pi, sqrt
+from math import ceil, pi, sqrt, tau
 from random import Random
 
-from fasteroids import Asteroid, World, happenings
+from fasteroids import Asteroid, Ship, World, happenings
 
 SEED = 12345
 FOREVER = 1e300  # s; no run gets there
@@ -37,6 +37,21 @@ def workload(n: int, phi: float = DENSE, *, model: str = "robust") -> World:
     return World(side, side, model=model).add_all(
         Asteroid(x, y, u, v, 0.5) for (x, y), u, v in zip(places, vx, vy, strict=True)
     )
+
+
+def thrusting(n: int, burning: int, *, model: str) -> World:
+    """W(n) at game density as ships, so that nobody dies; `burning` of them thrust, each its own way.
+
+    The acceleration is such that a ship gains the speed of the others in 20 s.
+    """
+    discs = workload(n, THIN, model=model)
+    return World(discs.width, discs.height, model=model).add_all(
+        Ship(
+            *e.position, *e.velocity, e.radius, 1.0, tau * i / burning,
+            thruster=i < burning, thrust_power=0.05,
+        )
+        for i, e in enumerate(discs.asteroids)
+    )  # fmt: skip
 
 
 def _unit_rms(values: list[float]) -> list[float]:

@@ -27,9 +27,11 @@ from typing import Any, TypeAlias
 from attrs import frozen
 
 from fasteroids import models
+from fasteroids.courses import LIMIT, WALLS, Course, course, exit_time, meeting
 from fasteroids.entities import Bullet, Ship
 from fasteroids.grid import Grid, fitting
-from fasteroids.moments import Clock, Moment, tick_moment
+from fasteroids.moments import Clock, Moment, later, resolution, tick_moment
+from fasteroids.overlap import own_bullet
 from fasteroids.state import Flight, World, located
 from fasteroids.units import WINDOW
 
@@ -48,9 +50,8 @@ __all__ = [
     "take",
 ]
 
-CONTACT, LIMIT, TICK = 0, 5, 6
-WALLS = {1: "left", 2: "right", 3: "bottom", 4: "top"}
-"""Ranks, the order of events at one moment: contact, the four walls, limit, tick."""
+CONTACT, TICK = 0, 6
+"""Ranks, the order of events at one moment: contact, the four walls, limit, tick (see `fasteroids.courses`)."""
 _CROSSING = -1  # before all events: it only widens what a disc knows
 _LEFT, _RIGHT, _BOTTOM, _TOP = WALLS
 _NONE = (inf,)  # later than every prediction
@@ -97,7 +98,8 @@ class Engine:
     """Predictions for the flights of one world. Mutable, and never seen by users.
 
     `asked` counts contact times computed, `undecided` those that needed exact arithmetic. `thrusters` are the
-    slots of ships whose thruster is on. A `plan` can force parts on or leave the grid out, for tests.
+    slots of ships that are kicked at each cut: the thruster is on, under `literal`. A `plan` can force parts on or
+    leave the grid out, for tests.
     """
 
     def __init__(self, world: World, plan: Plan | None = None) -> None:
@@ -118,7 +120,9 @@ class Engine:
         self._happening: tuple[int, Flight] | None = (
             None  # who had queued the event that is being applied
         )
+        self._now = now
         self.thrusters: set[int] = set()
+        self._courses: dict[int, Course] = {}
         self._bullets = self._forced is not None and self._forced.bullets
         self._rows: list[_Row | None] = [None] * size
         self._cell: list[int] = [0] * size
@@ -148,11 +152,12 @@ class Engine:
             self.flights[slot] = self._rows[slot] = self._contact[slot] = None
             self.grid.cells[self._cell[slot]].remove(slot)
             self.thrusters.discard(slot)
+            self._courses.pop(slot, None)
             self.living -= 1
         for slot, f in changed:
             self.flights[slot] = f
             self._lay(slot, f)
-        now = clock[:2]
+        now = self._now = clock[:2]
         for slot, f in born:
             while slot >= len(self.flights):
                 self.flights.append(None)
@@ -192,7 +197,11 @@ class Engine:
         e = f.entity
         source = 0
         if type(e) is Ship:
-            if e.thruster:
+            if f.path is not None:
+                self._courses[slot] = course(f, self._width, self._height)
+            else:
+                self._courses.pop(slot, None)
+            if e.thruster and f.path is None:
                 self.thrusters.add(slot)
             else:
                 self.thrusters.discard(slot)
@@ -224,12 +233,16 @@ class Engine:
         rows, cells, here = self._rows, self.grid.cells, self._cell[slot]
         filtered, bullets = self._filtered, self._bullets
         window, offset, x, y, vx, vy, r, me, bounced_off, source = rows[slot]  # type: ignore[misc]
+        courses, bent = self._courses, []
         asked = 0
         known = self._contact[slot]
         best: tuple[Any, ...] = _NONE if known is None else known
         for delta in offsets:
             for other in cells[here + delta]:
                 if other == slot:
+                    continue
+                if courses and (slot in courses or other in courses):
+                    bent.append(other)
                     continue
                 w, o, xo, yo, vxo, vyo, ro, it, ito, its = rows[other]  # type: ignore[misc]
                 if (bounced_off == it and ito == me) or (bullets and (source == it or its == me)):
@@ -261,17 +274,54 @@ class Engine:
                 )
                 if found < best:
                     best = found
+        for other in bent:
+            best = min(best, self._meet(slot, f, other))
         self.asked += asked
         if best is not known and best is not _NONE:
             w, o, rank, low, high, other = best
             serial, g = next(self._serial), self.flights[other]
             self._contact[slot] = w, o, rank, low, high, serial, slot, other, f, g
 
+    def _meet(self, slot: int, f: Flight, other: int) -> tuple[Any, ...]:
+        """The contact of two discs, one of them at least on a bent path."""
+        g, courses = self.flights[other], self._courses
+        assert g is not None
+        me, it = f.entity.id or 0, g.entity.id or 0
+        if own_bullet(f.entity, g.entity):
+            return _NONE
+        self.asked += 1
+        ends = [courses[s].ends if s in courses else inf for s in (slot, other)]
+        t = meeting(f, g, *ends) if me < it else meeting(g, f, *reversed(ends))
+        if t == inf:
+            return _NONE
+        window, offset = later(max(f.since, g.since), t)
+        return window, offset, CONTACT, min(me, it), max(me, it), other
+
+    def _first_bent(self, slot: int, f: Flight) -> Due | None:
+        """The same as `_first` for a disc on a bent path; it may come to a border and stay in its cell."""
+        ends, rank = self._courses[slot][1:]
+        contact, best = self._contact[slot], None
+        if ends < inf:
+            best = (*later(f.since, ends), rank)
+        grid, cell, now = self.grid, self._cell[slot], max(self._now, f.since)
+        if len(grid.around) > 1 and ends > 0.0:
+            stay = exit_time(f, now, grid.box(cell))
+            if stay < inf:
+                least = max(resolution(now), grid.shy / f.entity.max_speed)
+                crossing = (*later(now, max(stay, least)), _CROSSING)
+                best = crossing if best is None else min(best, crossing)
+        if best is None:
+            return contact
+        due = *best, f.entity.id or 0, 0, next(self._serial), slot, 0, f, None
+        return due if contact is None or due < contact else contact
+
     def _first(self, slot: int, f: Flight) -> Due | None:
         """The earlier of the contact a disc knows and its next wall or cell border; None if it has neither.
 
         The times are those of `physics.wall_time`, written out.
         """
+        if slot in self._courses:
+            return self._first_bent(slot, f)
         window, offset, x, y, vx, vy, r, me, _, _ = self._rows[slot]  # type: ignore[misc]
         grid, cell = self.grid, self._cell[slot]
         tx = ty = inf
@@ -335,11 +385,15 @@ class Engine:
                 heappop(heap)
                 continue
             if rank == _CROSSING:
-                cells, cell = self.grid.cells, self._cell[slot]
-                cells[cell].remove(slot)
-                self._cell[slot] = cell + other
-                cells[cell + other].append(slot)
-                self._look(slot, f, self.grid.ahead[other])
+                self._now = due[:2]
+                if other == 0:
+                    self._reassign(slot, f)
+                else:
+                    cells, cell = self.grid.cells, self._cell[slot]
+                    cells[cell].remove(slot)
+                    self._cell[slot] = cell + other
+                    cells[cell + other].append(slot)
+                    self._look(slot, f, self.grid.ahead[other])
             elif rank == CONTACT and flights[other] is not g:
                 self._contact[slot] = None
                 self._look(slot, f, self.grid.around)
@@ -353,6 +407,16 @@ class Engine:
             else:
                 heapreplace(heap, following)
         return None
+
+    def _reassign(self, slot: int, f: Flight) -> None:
+        """The cell of a disc on a bent path, now."""
+        e = located(f, self._now)
+        cell, to = self._cell[slot], self.grid.cell_at(e.x, e.y)
+        if to != cell:
+            self.grid.cells[cell].remove(slot)
+            self._cell[slot] = to
+            self.grid.cells[to].append(slot)
+            self._look(slot, f, self.grid.around)
 
     def _compact(self) -> None:
         """Drop the predictions of flights that are over."""

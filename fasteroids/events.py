@@ -14,7 +14,7 @@ from attrs import field, frozen
 from fasteroids import models, rules
 from fasteroids._raw import raw
 from fasteroids.actions import Action
-from fasteroids.engine import TICK, WALLS, Due, Engine, give, take
+from fasteroids.engine import LIMIT, TICK, WALLS, Due, Engine, give, take
 from fasteroids.entities import Entity, checked, id_of
 from fasteroids.moments import Clock, advanced, clock_at, seconds
 from fasteroids.overlap import own_bullet
@@ -40,7 +40,8 @@ class Happened:
     """One physical event with all its consequences.
 
     `time` in s; `kind` one of contact, wall, limit, tick; `entities` the ids that took part, ascending; `wall`
-    the side met (left, right, bottom, top); `effect` what came of it: bounce, die or split, for a tick turn,
+    the side met (left, right, bottom, top); `effect` what came of it: bounce, die or split; reach or leave for a
+    limit; for a tick turn,
     fire, thrust, thrust_off, skip, end, halt or fuel. `died` and `born` are ids, a bullet that dies as it is
     fired among both; `clipped` those whose speed was scaled back to their limit; `at` the point of contact (km).
     A tick also carries its `prints`, the `span` of source it stopped at and, halted, the `reason`.
@@ -201,6 +202,8 @@ def _happen(world: World, engine: Engine, due: Due) -> tuple[Happened, World]:
         kind = "tick"
         world = replaced(world, clock, (), (), ())
         change, ticked = rules.tick(world, f)
+    elif rank == LIMIT:
+        kind, change = "limit", rules.limit(world, moment, f)
     else:
         kind, side = "wall", WALLS[rank]
         change = rules.wall(world, moment, f, side)

@@ -16,6 +16,7 @@ from fasteroids.units import SPEED_OF_LIGHT, WINDOW
 __all__ = ["Grid", "fitting"]
 
 _MARGIN = 1.0 + 2.0**-20
+_SHY = 2.0**-24
 _CELLS_PER_DISC = 3.0
 
 
@@ -24,11 +25,11 @@ class Grid:
 
     `around` are the offsets of a cell's neighbourhood; `ahead[delta]` those of the three cells that become
     neighbours by a step of `delta`. `lefts[cell]`, `rights`, `bottoms` and `tops` are a cell's borders (km), None
-    where a wall lies there.
+    where a wall lies there. `shy` (km) is a small part of the spare room, by which a disc may be late.
     """
 
     __slots__ = (
-        "ahead", "around", "bottoms", "cells", "columns", "height", "lefts", "rights", "rows", "stride", "tops",
+        "ahead", "around", "bottoms", "cells", "columns", "height", "lefts", "rights", "rows", "shy", "stride", "tops",
         "width",
     )  # fmt: skip
 
@@ -43,11 +44,27 @@ class Grid:
             for step in (-1, 1):
                 self.ahead[step] = (step - stride, step, step + stride)
                 self.ahead[step * stride] = (step * stride - 1, step * stride, step * stride + 1)
+        self.shy = min(width / columns, height / rows) * _SHY
         lefts, rights = _borders(width, columns)
         self.lefts = [border for border in lefts for _ in range(stride)]
         self.rights = [border for border in rights for _ in range(stride)]
         bottoms, tops = _borders(height, rows)
         self.bottoms, self.tops = bottoms * (columns + 2), tops * (columns + 2)
+
+    def box(self, cell: int) -> tuple[float | None, float | None, float | None, float | None]:
+        """Left, right, bottom and top border (km) of a cell, moved outwards by a small part of the spare room.
+
+        Who is beyond such a border is beyond that of the cell as well, whatever rounding does.
+        """
+        dx = dy = self.shy
+        left, right = self.lefts[cell], self.rights[cell]
+        bottom, top = self.bottoms[cell], self.tops[cell]
+        return (
+            None if left is None else left - dx,
+            None if right is None else right + dx,
+            None if bottom is None else bottom - dy,
+            None if top is None else top + dy,
+        )
 
     def cell_at(self, x: float, y: float) -> int:
         """The index of the cell around a place (km) in or near the world."""

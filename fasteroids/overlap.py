@@ -38,16 +38,24 @@ class Placed(NamedTuple):
     slack: float
 
 
-def slack(e: Entity, age: float, resolution: float, speed: float | None = None) -> float:
+def slack(
+    e: Entity, age: float, resolution: float, speed: float | None = None, *, bend: float = 0.0
+) -> float:
     """How far (km) rounding may have put an entity that is `age` s into its flight.
 
     `resolution` is the spacing (s) of moments there; `speed` (km/s) replaces the entity's own where it may
-    have been faster before.
+    have been faster before. `bend` is the largest acceleration (km/s^2) on its path: it adds bend t to either
+    component of the velocity between one end of the flight and the other, 2 bend t to the sum of both that is
+    used here, but never more than twice the speed limit each; and as the distance flown is t times such a sum,
+    that covers the rounding of v t and of a t^2 / 2 (at most bend t^2 in both coordinates together).
     """
     if speed is None:
         speed = abs(e.vx) + abs(e.vy)
     far = _ROUNDINGS * abs(e.x) + _ROUNDINGS * abs(e.y) + _ROUNDINGS * e.radius
-    return far + _ROUNDINGS * (abs(e.vx) + abs(e.vy)) * age + speed * resolution
+    if bend == 0.0:
+        return far + _ROUNDINGS * (abs(e.vx) + abs(e.vy)) * age + speed * resolution
+    more = 2.0 * min(bend * age, 2.0 * e.max_speed)
+    return far + _ROUNDINGS * (abs(e.vx) + abs(e.vy) + more) * age + (speed + more) * resolution
 
 
 def grace(e: Entity, width: float, height: float) -> float:

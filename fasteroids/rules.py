@@ -7,7 +7,7 @@ nor how a world takes a change over (see `fasteroids.state.replaced`).
 from __future__ import annotations
 
 from collections.abc import Iterable
-from math import cos, isfinite, sin, sqrt
+from math import cos, isfinite, sin, sqrt, ulp
 from typing import Literal, NamedTuple
 
 from attrs import evolve
@@ -17,7 +17,8 @@ from fasteroids.actions import Action, Fire, Skip, Thrust, ThrustOff, Ticked, Tu
 from fasteroids.entities import Asteroid, Bullet, Entity, Ship, id_of, moving
 from fasteroids.moments import Moment, between, resolution
 from fasteroids.overlap import Placed, depth, outside, own_bullet, slack
-from fasteroids.state import Flight, World, describe, flight, located, placed
+from fasteroids.paths import Limited, Parabola, limit_time, to_limit
+from fasteroids.state import Flight, World, describe, flight, located, path, placed, push
 from fasteroids.units import (
     BULLET_RADIUS,
     BULLET_SPEED,
@@ -30,7 +31,18 @@ from fasteroids.units import (
     shown,
 )
 
-__all__ = ["Change", "ShipView", "apply", "bounce", "contact", "fire", "kick", "tick", "wall"]
+__all__ = [
+    "Change",
+    "ShipView",
+    "apply",
+    "bounce",
+    "contact",
+    "fire",
+    "kick",
+    "limit",
+    "tick",
+    "wall",
+]
 
 
 class Change(NamedTuple):
@@ -92,12 +104,17 @@ def contact(world: World, now: Moment, f: Flight, g: Flight) -> Change:
     """Two flights touch at `now` (1.5.2): bounce, or die."""
     a, b = f.entity, g.entity
     if type(a) is type(b) and type(a) is not Bullet:
-        s = (now[0] - f.since[0]) * WINDOW + (now[1] - f.since[1])
-        t = (now[0] - g.since[0]) * WINDOW + (now[1] - g.since[1])
-        xa, ya, xb, yb = a.x + a.vx * s, a.y + a.vy * s, b.x + b.vx * t, b.y + b.vy * t
+        if f.path is None and g.path is None:
+            s = (now[0] - f.since[0]) * WINDOW + (now[1] - f.since[1])
+            t = (now[0] - g.since[0]) * WINDOW + (now[1] - g.since[1])
+            xa, ya, xb, yb = a.x + a.vx * s, a.y + a.vy * s, b.x + b.vx * t, b.y + b.vy * t
+        else:
+            a, b = located(f, now), located(g, now)
+            xa, ya, xb, yb = a.x, a.y, b.x, b.y
         a, b, ca, cb = _bounced(a, xa, ya, b, xb, yb)
         clipped = tuple(id_of(e) for e, c in ((a, ca), (b, cb)) if c) if ca or cb else ()
-        f, g = flight(now, a, b.id, f.next_tick), flight(now, b, a.id, g.next_tick)
+        f = flight(now, a, b.id, f.next_tick, f.path and path(world, a))
+        g = flight(now, b, a.id, g.next_tick, g.path and path(world, b))
         share = a.radius / (a.radius + b.radius)
         at = xa + (xb - xa) * share, ya + (yb - ya) * share
         return Change("bounce", (f, g), (), (), clipped, (), at)
@@ -116,7 +133,7 @@ def deaths(seed: int, now: Moment, next_id: int, dying: Iterable[Entity]) -> Cha
     for e in dead:
         if type(e) is Asteroid and e.radius >= SPLIT_RADIUS:
             for child, fast in children(seed, e, next_id + len(born)):
-                born.append(flight(now, child, 0, None))
+                born.append(flight(now, child, 0, None, None))
                 clipped += [id_of(child)] * fast
     return Change(
         "split" if born else "die",
@@ -163,6 +180,8 @@ def wall(world: World, now: Moment, f: Flight, side: str) -> Change:
     e = f.entity
     age = between(f.since, now)
     x, y, vx, vy = e.x + e.vx * age, e.y + e.vy * age, e.vx, e.vy
+    if f.path is not None:
+        x, y, vx, vy = f.path.after(e.x, e.y, e.vx, e.vy, age, e.max_speed)
     if side == "left":
         x, vx, at = e.radius, abs(vx), (0.0, y)
     elif side == "right":
@@ -173,8 +192,28 @@ def wall(world: World, now: Moment, f: Flight, side: str) -> Change:
         y, vy, at = world.height - e.radius, -abs(vy), (x, world.height)
     if type(e) is Bullet and e.bounced:
         return Change("die", (), (), (id_of(e),), (), (), at)
-    f = flight(now, moving(e, x, y, vx, vy, bounced=True), 0, f.next_tick)
+    if f.path is not None:
+        ax, ay = e.acceleration  # type: ignore[union-attr]
+        if side in ("left", "right"):
+            vx = _settled(vx, ax, world.width, now)
+        else:
+            vy = _settled(vy, ay, world.height, now)
+    e = moving(e, x, y, vx, vy, bounced=True)
+    f = flight(now, e, 0, f.next_tick, f.path and path(world, e))
     return Change("bounce", (f,), (), (), (), (), at)
+
+
+def _settled(v: float, a: float, size: float, now: Moment) -> float:
+    """The velocity off a wall, or 0.0 if acceleration `a` brings the ship back before anyone can tell.
+
+    That is within the resolution of the clock, or without having moved by the spacing of the coordinates there:
+    a hop v^2 / (2 a) high that takes 2 v / a. At its speed limit a ship pressed obliquely against a wall hops ever
+    lower, without end; the wall then bears the pressure (see `state.push`).
+    """
+    if v * a >= 0.0:
+        return v
+    hop = abs(v / a)
+    return v if hop * 2.0 > resolution(now) and hop * abs(v) > 2.0 * ulp(size) else 0.0
 
 
 # Thrust.
@@ -191,7 +230,27 @@ def kick(f: Flight, now: Moment) -> tuple[Flight, bool]:
     e = located(f, now)
     assert isinstance(e, Ship)
     vx, vy, clipped = physics.thrust(e.vx, e.vy, *e.acceleration, dt, e.max_speed)
-    return flight(now, moving(e, e.x, e.y, vx, vy), 0, f.next_tick), clipped
+    return flight(now, moving(e, e.x, e.y, vx, vy), 0, f.next_tick, None), clipped
+
+
+def limit(world: World, now: Moment, f: Flight) -> Change:
+    """A ship on a bent path reaches its speed limit at `now`, or leaves it because its thrust points inwards.
+
+    Reaching it sets the speed to the limit, as a wall sets a coordinate.
+    """
+    e = f.entity
+    assert isinstance(e, Ship)
+    if type(f.path) is Limited:
+        return Change(
+            "leave", (flight(f.since, e, f.bounced_off, f.next_tick, Parabola(*push(world, e))),)
+        )
+    assert type(f.path) is Parabola
+    ax, ay = f.path.ax, f.path.ay
+    t = limit_time(e.vx, e.vy, ax, ay, e.max_speed)
+    here = located(f, now)
+    vx, vy = to_limit(e.vx + ax * t, e.vy + ay * t, e.max_speed)
+    e = moving(e, here.x, here.y, vx, vy)
+    return Change("reach", (flight(now, e, 0, f.next_tick, path(world, e)),))
 
 
 # Actions.
@@ -206,16 +265,17 @@ def apply(world: World, f: Flight, action: Action) -> Change:
         case Turn(angle):
             if not isfinite(number(angle, "the angle of a turn")):
                 raise ModelError(f"the angle of a turn must be finite; got {shown(angle)}")
-            return Change("turn", (flight(f.since, ship.turn(angle), f.bounced_off, f.next_tick),))
+            return Change("turn", (_steered(world, f, ship.turn(angle)),))
         case Fire():
             return fire(world, located(f, world.now))
         case Thrust() if not ship.thruster:
             here = located(f, world.now)
             on = evolve(ship, x=here.x, y=here.y, thruster=True)
-            return Change("thrust", (flight(world.now, on, f.bounced_off, f.next_tick),))
+            bend = path(world, on)
+            last = f.bounced_off if bend is None or world.now == f.since else 0
+            return Change("thrust", (flight(world.now, on, last, f.next_tick, bend),))
         case ThrustOff() if ship.thruster:
-            off = evolve(ship, thruster=False)
-            return Change("thrust_off", (flight(f.since, off, f.bounced_off, f.next_tick),))
+            return Change("thrust_off", (_steered(world, f, evolve(ship, thruster=False)),))
         case Thrust():
             return Change("thrust")
         case ThrustOff():
@@ -225,6 +285,19 @@ def apply(world: World, f: Flight, action: Action) -> Change:
     raise ModelError(
         f"an action is one of Turn(angle), Fire(), Thrust(), ThrustOff() and Skip(); got {shown(action)}"
     )
+
+
+def _steered(world: World, f: Flight, ship: Ship) -> Flight:
+    """The flight of a ship that was turned, or its thruster switched off: a new one if its path was bent.
+
+    Its velocity stays, so what it bounced off this moment counts as that still.
+    """
+    if f.path is None:
+        return flight(f.since, ship, f.bounced_off, f.next_tick, None)
+    here = located(f, world.now)
+    ship = evolve(ship, x=here.x, y=here.y, vx=here.vx, vy=here.vy)
+    last = f.bounced_off if world.now == f.since else 0
+    return flight(world.now, ship, last, f.next_tick, path(world, ship))
 
 
 def fire(world: World, ship: Entity) -> Change:
@@ -258,7 +331,7 @@ def fire(world: World, ship: Entity) -> Change:
         ):
             death = deaths(world.seed, world.now, bullet_id + 1, (occupant,))
             return death._replace(effect="fire", passing=(bullet_id,))
-    return Change("fire", born=(flight(world.now, bullet, 0, None),))
+    return Change("fire", born=(flight(world.now, bullet, 0, None, None),))
 
 
 # Ticks.
@@ -310,7 +383,7 @@ def tick(world: World, f: Flight) -> tuple[Change, Ticked]:
     assert f.next_tick is not None
     ticked = ship.program.tick(ShipView(world, located(f, world.now)))  # type: ignore[arg-type]
     again = f.next_tick + 1 if ticked.program.running else None
-    f = flight(f.since, evolve(ship, program=ticked.program), f.bounced_off, again)
+    f = flight(f.since, evolve(ship, program=ticked.program), f.bounced_off, again, f.path)
     if ticked.action is None:
         return Change(ticked.end or "skip", (f,)), ticked
     change = apply(world, f, ticked.action)

@@ -30,9 +30,10 @@ from fasteroids.moments import (
     tick_after,
 )
 from fasteroids.overlap import Placed, depth, first_overlap, grace, outside, slack
+from fasteroids.paths import Path, path_of
 from fasteroids.units import MAX_WORLD_SIZE, ModelError, number, shown
 
-__all__ = ["Cache", "Flight", "Roster", "World", "located"]
+__all__ = ["Cache", "Flight", "Roster", "World", "located", "path", "push"]
 
 E = TypeVar("E", Ship, Asteroid, Bullet)
 
@@ -43,13 +44,15 @@ class Flight:
 
     `bounced_off` is the id of the entity it bounced off last, 0 if none: two that name each other are not
     asked for a contact again until one of them changes its velocity. `next_tick` is the k of the next run of
-    a ship's program, at k / 5 s; None without a running program.
+    a ship's program, at k / 5 s; None without a running program. `path` says how a thruster bends the flight
+    under the thrust rule `smooth`; None is a straight line.
     """
 
     since: Moment
     entity: Entity
     bounced_off: int = 0
     next_tick: int | None = None
+    path: Path | None = None
 
 
 flight = raw(Flight)
@@ -57,11 +60,13 @@ flight = raw(Flight)
 
 
 def located(f: Flight, now: Moment) -> Entity:
-    """The flight's entity at a moment not before its start: moved along its straight path."""
+    """The flight's entity at a moment not before its start: moved along its path."""
     e = f.entity
     age = between(f.since, now)
     if age == 0.0:
         return e
+    if f.path is not None:
+        return moving(e, *f.path.after(e.x, e.y, e.vx, e.vy, age, e.max_speed))
     return moving(e, e.x + e.vx * age, e.y + e.vy * age, e.vx, e.vy)
 
 
@@ -248,7 +253,7 @@ class World:
             elif entity.id < next_id:
                 raise ModelError(f"id {entity.id} was used before; leave the id out for a new one")
             next_id = id_of(entity) + 1
-            flights.append(starting(entity, self.now))
+            flights.append(starting(self, entity))
         check_room(self, [standing(self, f) for f in flights])
         return replaced(self, self.clock, (), flights, ())
 
@@ -285,10 +290,33 @@ def _restored(*fields: Any) -> World:
     return _world(*fields, [])
 
 
-def starting(entity: Entity, now: Moment) -> Flight:
+def starting(world: World, entity: Entity) -> Flight:
     """The flight of an entity that is as it is now; a running program ticks next after this moment."""
+    now = world.now
     running = type(entity) is Ship and entity.program is not None and entity.program.running
-    return flight(now, entity, 0, tick_after(now) if running else None)
+    return flight(now, entity, 0, tick_after(now) if running else None, path(world, entity))
+
+
+def path(world: World, e: Entity) -> Path | None:
+    """The path on which a flight of this entity starts: bent by a thruster under `smooth`, else None."""
+    if type(e) is not Ship or not e.thruster or models.named(world.model).thrust != "smooth":
+        return None
+    return path_of(e.vx, e.vy, *push(world, e), e.max_speed)
+
+
+def push(world: World, ship: Ship) -> tuple[float, float]:
+    """The acceleration (km/s^2) a thruster gives a ship, but for what presses it against a wall it leans on.
+
+    It leans on a wall if it is at it and has no velocity off it: the wall bears what would press it on, and the
+    ship slides along.
+    """
+    ax, ay = ship.acceleration
+    r = ship.radius
+    if ship.vx == 0.0 and ((ax < 0.0 and ship.x <= r) or (ax > 0.0 and ship.x >= world.width - r)):
+        ax = 0.0
+    if ship.vy == 0.0 and ((ay < 0.0 and ship.y <= r) or (ay > 0.0 and ship.y >= world.height - r)):
+        ay = 0.0
+    return ax, ay
 
 
 def describe(entity: Entity) -> str:

@@ -9,6 +9,13 @@ centres is a convex parabola in time. It is least at its vertex, clamped to the 
 evaluation a pair is complete. A pair is looked at when the first of its flights ends (O(N) for each flight that
 ends), and once more when the run does. A coordinate is linear, so a flight leaves the world farthest at its ends.
 
+Where a thruster bends a flight (thrust rule `smooth`) the distance need not be convex. With B the largest relative
+acceleration its second derivative is at least -B, so from the distance and its change at two moments follows a lower
+bound for all between. The worst depth is found by branch and bound on it: an interval is split until no overlap in it
+can be deeper than the deepest seen, nor than a quarter of what is allowed or the worst share of the run so far. (At
+most 4096 distances a pair, the most suspicious first.) A coordinate is farthest out at the ends or where its
+velocity changes sign, which it does at most once. How the engine finds contacts and walls is not used.
+
 What is allowed: `overlap.slack`, the largest an entity has had in the run so far. An overlap that rounding left
 stays until the pair has parted, so a flight inherits what the faster or longer ones before it were allowed, and
 what is born inherits it from those in the event of its birth. Where the world overlapped before the run, or stuck

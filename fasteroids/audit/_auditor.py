@@ -6,19 +6,25 @@ from collections import Counter
 from collections.abc import Iterable
 from math import sqrt
 
+from attrs import evolve
+
 from fasteroids import rules
 from fasteroids.audit._balance import BOUNCE_LIMIT, drift, imbalance, kinetic_energy
 from fasteroids.audit._containment import Containment
+from fasteroids.audit._curves import bend, state
 from fasteroids.audit._margins import Audit, Faults, Worst
 from fasteroids.engine import Engine, peek
 from fasteroids.entities import Bullet, Entity, Ship
 from fasteroids.events import Happened, storm_limit
-from fasteroids.moments import Moment
+from fasteroids.moments import Moment, between, resolution
 from fasteroids.overlap import own_bullet
-from fasteroids.state import Flight, World
+from fasteroids.physics import distance
+from fasteroids.state import Flight, World, located
 from fasteroids.units import MAX_BULLETS
 
 __all__ = ["Auditor"]
+
+_ROUNDINGS = 16 * 2.0**-53
 
 
 class Auditor:
@@ -72,6 +78,7 @@ class Auditor:
         """The findings, given the world the run ended with (its clock may be past the last event)."""
         self._paths.finish(world.now)
         self._go_to(world, set())
+        self._check_ends(world.now, (f for f in world.flights if f is not None))
         worst = (
             self._paths.overlap, self._paths.overhang, self._speed, self._momentum, self._energy, self._shots,
             self._own, self._walls, self._dead, self._unnamed, self._crowd, self._back,
@@ -89,7 +96,10 @@ class Auditor:
         )
 
     def _go_to(self, world: World, named: set[int]) -> None:
-        """Another world: whose flight changed? Besides those the event names only thrusting ships may (1.6)."""
+        """Another world: whose flight changed?
+
+        Besides those the event names only thrusting ships may, and only under the thrust rule `literal` (1.6).
+        """
         now = world.now
         if now < self._now:
             self._back.fault(now, sorted(named))
@@ -98,8 +108,9 @@ class Auditor:
         for f, _ in changed:
             if f is not None and f.entity.id not in named:
                 e = f.entity
-                if not (type(e) is Ship and e.thruster):
+                if not (type(e) is Ship and e.thruster and f.path is None):
                     self._unnamed.fault(now, (e.id or 0,))
+        self._check_ends(now, (f for f, _ in changed if f is not None))
         self._check_speeds(now, (g for _, g in changed if g is not None))
         self._tally.follow(world)
 
@@ -108,6 +119,23 @@ class Auditor:
         for f in flights:
             e = f.entity
             self._speed.see(sqrt(e.vx * e.vx + e.vy * e.vy), e.max_speed, now, (e.id or 0,))
+
+    def _check_ends(self, now: Moment, flights: Iterable[Flight]) -> None:
+        """L8 where a bent flight ends: as said exactly, and along its path up to rounding.
+
+        The speed is convex in time on a parabola and constant on a limited path, so it is highest at an end. What
+        is said is scaled to the limit; a flight that went on beyond shows in the velocity before that. To it the
+        moment of the end adds its resolution, and v + a t the rounding of a handful of operations: 16 u.
+        """
+        for f in flights:
+            if f.path is None:
+                continue
+            self._check_speeds(now, (evolve(f, entity=located(f, now)),))
+            e, age = f.entity, between(f.since, now)
+            vx, vy = state(f, age)[2:]
+            gained = min(bend(f) * age, 2.0 * e.max_speed)
+            room = _ROUNDINGS * (distance(e.vx, e.vy) + gained) + bend(f) * resolution(now)
+            self._speed.see(distance(vx, vy), e.max_speed + room, now, (e.id or 0,))
 
     def _check_contact(self, happened: Happened, world: World, f: Flight, g: Flight) -> None:
         """L9 for a bounce nobody was clipped in; L10 for own bullets."""
@@ -138,8 +166,13 @@ class Auditor:
 
 
 def _at_impact(f: Flight, now: Moment) -> Entity:
-    """An entity with the velocity it brings into an event: a thrusting ship is kicked first (1.6)."""
+    """An entity with the velocity it brings into an event.
+
+    That at the end of a bent path; under the thrust rule `literal` a thrusting ship is kicked first (1.6).
+    """
     e = f.entity
+    if f.path is not None:
+        return located(f, now)
     return rules.kick(f, now)[0].entity if type(e) is Ship and e.thruster else e
 
 

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from functools import partial
 from itertools import zip_longest
 from math import frexp, inf, isfinite, ldexp, ulp
 from typing import TypeAlias
 
+from fasteroids.audit._curves import bend, deepest, excursion, turns
 from fasteroids.audit._margins import Worst
 from fasteroids.entities import Bullet, Entity
 from fasteroids.moments import Moment, between, later, resolution
@@ -19,6 +21,9 @@ __all__ = ["Containment"]
 
 _Row: TypeAlias = tuple[int, float, float, float, float, float, float, int, int]
 """A flight laid flat for the inner loop: window, offset, x, y, vx, vy, radius, id, source (0 but for bullets)."""
+
+_FLOOR = 0.25
+"""Overlaps of bent flights below this share of what is allowed are not searched for."""
 
 
 class Containment:
@@ -35,11 +40,13 @@ class Containment:
         self._width, self._height = world.width, world.height
         self._flights: list[Flight | None] = []
         self._rows: list[_Row | None] = []
+        self._bent: set[int] = set()
         self._slack: dict[int, float] = {}
         self._given: dict[tuple[int, ...], float] = {}
         for f in world.flights:
             if f is not None:
-                over = max(self._overhang(f.entity), self._overhang(located(f, world.now)))
+                ends = (f.since, *_extremes(f, world.now))
+                over = max(self._overhang(located(f, moment)) for moment in ends)
                 self._given[_ids(f)] = max(over, 0.0)
         self.change(world, ())
         for slot, others in self._near(world.now):
@@ -80,7 +87,10 @@ class Containment:
         self._rows += [None] * (len(new) - len(self._rows))
         for slot, _, g in changed:
             self._rows[slot] = None if g is None else _row(g)
+            self._bent.discard(slot)
             if g is not None:
+                if g.path is not None:
+                    self._bent.add(slot)
                 i = g.entity.id or 0
                 self.slots[i] = slot
                 self._slack.setdefault(i, inherited)
@@ -99,7 +109,7 @@ class Containment:
         """How far (km) rounding may have put the entity in a slot, at most, until now."""
         f = self._flights[slot]
         assert f is not None
-        own = slack(located(f, now), between(f.since, now), resolution(now))
+        own = slack(located(f, now), between(f.since, now), resolution(now), bend=bend(f))
         return max(own, self._slack.get(f.entity.id or 0, 0.0))
 
     # Bounds.
@@ -108,15 +118,16 @@ class Containment:
         """How far (km) a disc sticks out; infinitely far if it is nowhere."""
         return overhang(e, self._width, self._height) if isfinite(e.x - e.y) else inf
 
-    def _check_bounds(self, f: Flight, moment: Moment) -> None:
-        """Is a flight in the world at one of its ends?"""
-        e = located(f, moment)
-        over = self._overhang(e)
-        if over > 0.0:
-            ids = _ids(f)
-            own = slack(e, between(f.since, moment), resolution(moment))
-            allowed = max(own, self._slack.get(ids[0], 0.0)) + self._given.get(ids, 0.0)
-            self.overhang.see(over, allowed, moment, ids, over / _grain(e))
+    def _check_bounds(self, f: Flight, until: Moment) -> None:
+        """Is a flight in the world at one of its ends, and where it turned back on the way there?"""
+        for moment in _extremes(f, until):
+            e = located(f, moment)
+            over = self._overhang(e)
+            if over > 0.0:
+                ids = _ids(f)
+                own = slack(e, between(f.since, moment), resolution(moment), bend=bend(f))
+                allowed = max(own, self._slack.get(ids[0], 0.0)) + self._given.get(ids, 0.0)
+                self.overhang.see(over, allowed, moment, ids, over / _grain(e))
 
     # Overlaps.
 
@@ -127,11 +138,35 @@ class Containment:
             assert f is not None
             assert g is not None
             ids = _ids(f, g)
-            allowed = self._slack_of(slot, now) + self._slack_of(other, now)
-            allowed += self._given.get(ids, 0.0)
+            allowed = self._allowed(slot, other, now)
             moment = later(f.since, age)
             grain = max(_grain(located(f, moment)), _grain(located(g, moment)))
             self.overlap.see(depth, allowed, moment, ids, depth / grain)
+
+    def _allowed(self, slot: int, other: int, now: Moment) -> float:
+        """How deep (km) two may overlap until now."""
+        ids = _ids(self._flights[slot], self._flights[other])
+        slacks = self._slack_of(slot, now) + self._slack_of(other, now)
+        return slacks + self._given.get(ids, 0.0)
+
+    def _floor(self, slot: int, other: int, now: Moment) -> float:
+        """The depth (km) up to which an overlap of two is no news."""
+        return self._allowed(slot, other, now) * max(self.overlap.share, _FLOOR)
+
+    def _curved(
+        self, slot: int, others: Iterable[int], now: Moment
+    ) -> Iterator[tuple[int, float, float]]:
+        """What `_overlaps` says, for pairs with a bent flight."""
+        f, mine = self._flights[slot], self._rows[slot]
+        assert f is not None
+        assert mine is not None
+        for other in others:
+            g, row = self._flights[other], self._rows[other]
+            if g is None or row is None or other == slot or mine[8] == row[7] or row[8] == mine[7]:
+                continue
+            t, depth = deepest(f, g, now, partial(self._floor, slot, other, now))
+            if depth > 0.0:
+                yield other, between(f.since, max(f.since, g.since)) + t, depth
 
     def _overlaps(
         self, slot: int, others: Iterable[int], now: Moment
@@ -143,6 +178,11 @@ class Containment:
         rows, mine = self._rows, self._rows[slot]
         if mine is None:
             return
+        if self._bent:
+            others = list(others)
+            bent = [other for other in others if slot in self._bent or other in self._bent]
+            yield from self._curved(slot, bent, now)
+            others = [o for o in others if o not in self._bent] if slot not in self._bent else ()
         window, offset, x, y, vx, vy, r, me, source = mine
         since = (now[0] - window) * WINDOW + (now[1] - offset)
         for other in others:
@@ -174,6 +214,8 @@ class Containment:
             if f is not None:
                 e, end = f.entity, located(f, now)
                 room = e.radius + self._slack_of(slot, now)
+                if f.path is not None:
+                    room += excursion(f, between(f.since, now))
                 spans.append((min(e.x, end.x) - room, max(e.x, end.x) + room, slot))
         spans.sort()
         active: list[tuple[float, int]] = []
@@ -202,7 +244,16 @@ def _grain(e: Entity) -> float:
 def _same_path(f: Flight, g: Flight) -> bool:
     """Is the second flight the first one with other intentions (a turn, a switch, a tick)?"""
     a, b = f.entity, g.entity
-    return (f.since, a.id, a.x, a.y, a.vx, a.vy) == (g.since, b.id, b.x, b.y, b.vx, b.vy)
+    return (f.since, a.id, a.x, a.y, a.vx, a.vy, f.path) == (
+        g.since, b.id, b.x, b.y, b.vx, b.vy, g.path,
+    )  # fmt: skip
+
+
+def _extremes(f: Flight, until: Moment) -> list[Moment]:
+    """Moments at which a flight is farthest out in some direction, but for its start."""
+    if f.path is None:
+        return [until]
+    return [*(later(f.since, age) for age in turns(f, between(f.since, until))), until]
 
 
 def _nearest(x: float, y: float, vx: float, vy: float, span: float) -> float:

@@ -78,6 +78,11 @@ class Worst:
         self.margin = Margin(law, what, unit)
         self._share = -1.0
 
+    @property
+    def share(self) -> float:
+        """What it used of what it was allowed; negative if there was no case yet."""
+        return self._share
+
     def see(
         self,
         worst: float,

@@ -106,6 +106,8 @@ class Narrator:
                 return f"{names[0]} bounces off the {happened.wall} wall"
             case "wall", _:
                 return f"{names[0]} dies at the {happened.wall} wall"
+            case "limit", "leave":
+                return f"{names[0]} turns against its motion and leaves its speed limit"
             case "limit", _:
                 return f"{names[0]} reaches its speed limit"
             case "tick", "fire":

@@ -18,7 +18,9 @@ from fasteroids.cli._narrate import census, counted, label, listed, number
 from fasteroids.engine import GRID_FROM, needs
 from fasteroids.entities import Bullet, Entity, Ship
 from fasteroids.grid import fitting
+from fasteroids.physics import distance
 from fasteroids.state import World
+from fasteroids.units import TICKS_PER_SECOND
 
 __all__ = ["Advice", "advice", "command"]
 
@@ -155,6 +157,26 @@ def _speeds(entities: Iterable[Entity]) -> Iterable[float]:
             yield e.max_speed
 
 
+def thrust_rules(world: World) -> str:
+    """When the two rules of thrust will differ in this scene."""
+    ships = [f.entity for f in world.all_flights().values() if type(f.entity) is Ship]
+    burning = [e for e in ships if e.thruster and e.thrust_power > 0.0]
+    able = [e for e in ships if e.program is not None and e.program.running]
+    if burning:
+        fastest = max(burning, key=lambda e: distance(*e.acceleration))
+        late = 0.5 * distance(*fastest.acceleration) / TICKS_PER_SECOND
+        return (
+            f"literal and smooth differ from the start, since the thruster is on: {_named(burning)}. Cut every "
+            f"{1.0 / TICKS_PER_SECOND} s, literal leaves {label(fastest)} {number(late)} km behind each second, "
+            "and every event anywhere moves its path; smooth flies it exactly"
+        )
+    if able:
+        return f"literal and smooth give the same bits until a program switches a thruster on: {_named(able)}"
+    if ships:
+        return "literal and smooth give the same bits until a player switches a thruster on"
+    return "literal and smooth give the same bits: there is no ship to thrust"
+
+
 def _named(entities: list[Entity] | list[Ship] | list[Bullet]) -> str:
     names = [label(e) for e in entities[:_MOST_NAMED]]
     more = len(entities) - len(names)
@@ -171,6 +193,7 @@ def _told(title: str, world: World, parts: dict[str, Part], level: Advice) -> li
         f"{name:8} {'used' if part.used else 'left out'}: {part.why}"
         for name, part in parts.items()
     ]
+    lines.append(f"rules    {thrust_rules(world)}")
     lines.append(f"level    {_verdict(world, level)}: {'; '.join(level.why)}")
     lines.append(f"         {_PROVEN}")
     lines.append(
@@ -199,5 +222,6 @@ def _record(title: str, world: World, parts: dict[str, Part], level: Advice) -> 
         "seed": world.seed,
         "model": {"name": world.model, "promise": models.named(world.model).promise},
         "parts": {name: {"used": part.used, "why": part.why} for name, part in parts.items()},
+        "thrust_rules": thrust_rules(world),
         "level": {"advised": level.level, "why": list(level.why)},
     }

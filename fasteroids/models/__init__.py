@@ -12,7 +12,7 @@ from difflib import get_close_matches
 from types import MappingProxyType
 from typing import Final
 
-from fasteroids.models import robust, spec
+from fasteroids.models import robust, smooth, spec
 from fasteroids.models._model import ContactTime as ContactTime
 from fasteroids.models._model import Model as Model
 from fasteroids.models._model import ThrustRule as ThrustRule
@@ -21,7 +21,7 @@ from fasteroids.units import ModelError, shown
 __all__ = ["DEFAULT", "MODELS", "ContactTime", "Model", "ThrustRule", "named"]
 
 MODELS: Final[Mapping[str, Model]] = MappingProxyType(
-    {model.name: model for model in (spec.MODEL, robust.MODEL)}
+    {model.name: model for model in (spec.MODEL, robust.MODEL, smooth.MODEL)}
 )
 """Every model by name."""
 

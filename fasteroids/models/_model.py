@@ -8,7 +8,7 @@ from attrs import frozen
 
 __all__ = ["ContactTime", "Model", "ThrustRule"]
 
-ThrustRule = Literal["literal"]
+ThrustRule = Literal["literal", "smooth"]
 
 
 class ContactTime(Protocol):

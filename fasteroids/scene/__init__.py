@@ -18,11 +18,22 @@ from fasteroids.engine import WALLS, Engine
 from fasteroids.entities import Asteroid, Bullet, Entity, Ship, moving
 from fasteroids.moments import ORIGIN, START, moment_at, resolution, seconds
 from fasteroids.overlap import Placed, depth, own_bullet, slack
+from fasteroids.paths import Parabola
 from fasteroids.scene._draft import Draft, Member, drafted
 from fasteroids.scene._field import MOST_TRIES, scattered
 from fasteroids.scene._table import Faults, Table
 from fasteroids.scene._text import Path, Problem, SceneError, parsed, written
-from fasteroids.state import Flight, World, check_room, describe, flight, located, replaced
+from fasteroids.state import (
+    Flight,
+    World,
+    check_room,
+    describe,
+    flight,
+    located,
+    path,
+    push,
+    replaced,
+)
 from fasteroids.units import ModelError
 
 __all__ = ["Problem", "SceneError", "dump_scene", "load_scene"]
@@ -59,7 +70,11 @@ def load_scene(text: str, *, seed: int | None = None, model: str | None = None) 
 
 def _flight(member: Member, world: World) -> Flight:
     since = world.now if member.since is None else member.since
-    return flight(since, member.entity, member.bounced_off, None)
+    e = member.entity
+    bend = path(world, e)
+    if member.slowing and bend is not None and isinstance(e, Ship):
+        bend = Parabola(*push(world, e))
+    return flight(since, e, member.bounced_off, None, bend)
 
 
 # Room and past.
@@ -245,6 +260,8 @@ def _row(f: Flight, world: World, *, with_ids: bool) -> dict[str, object]:
         row["since"] = _time(*f.since)
     if f.bounced_off:
         row["bounced_off"] = f.bounced_off
+    if f.path != path(world, e):
+        row["slowing"] = True
     return row
 
 

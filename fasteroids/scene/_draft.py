@@ -103,6 +103,7 @@ _KINDS: Final[Mapping[str, _Kind]] = {
             "direction": NUMBER,
             "thruster": SWITCH,
             "thrust_power": NUMBER,
+            "slowing": SWITCH,
         },
         ("x", "y", "radius", "mass"),
         {**_STILL, "mass": 1.0, "direction": 0.0},
@@ -121,12 +122,16 @@ _HEADERS = ("[world]", *(f"[[{kind}]]" for kind in _KINDS), "[[asteroid-field]]"
 
 @frozen
 class Member:
-    """An entity of a scene, and the flight it is on; `since` None if that starts now."""
+    """An entity of a scene, and the flight it is on; `since` None if that starts now.
+
+    `slowing`: its flight began by leaving the speed limit (see `fasteroids.rules.limit`).
+    """
 
     table: Table
     entity: Entity
     since: Moment | None
     bounced_off: int
+    slowing: bool
 
 
 @frozen
@@ -293,11 +298,12 @@ def _member(
     bounced_off = values.pop("bounced_off", 0)
     if bounced_off < 0:
         faults.add(table, "must be an id, or 0 for none", "bounced_off")
+    slowing = values.pop("slowing", False)
     make: Callable[..., Entity] = partial(kind.cls, id=entity_id)
     entity = guarded(make, kind.valid, table, values, faults)
     if entity is None or len(faults) > before:
         return None
-    return Member(table, entity, since, bounced_off)
+    return Member(table, entity, since, bounced_off, slowing)
 
 
 def _since(table: Table, value: Any, clock: Clock | None, faults: Faults) -> Moment | None:

@@ -7,13 +7,14 @@ from collections.abc import Sequence
 
 from attrs import evolve
 from hypothesis import settings
+from hypothesis import strategies as st
 
 from fasteroids import Happened, World
 from fasteroids.engine import Engine, Plan, give
 from fasteroids.moments import Moment, between, resolution
 from fasteroids.overlap import depth, slack
 from fasteroids.state import located
-from fasteroids.testing import Run, unfold
+from fasteroids.testing import Run, unfold, worlds
 
 EVENTS = 40
 """Events a world runs for."""
@@ -21,6 +22,16 @@ EVENTS = 40
 EXAMPLES = settings().max_examples
 world_law = settings(max_examples=min(2_000, EXAMPLES))
 """Laws on worlds: 2,000 examples in the long profile, where laws on plain numbers have 20,000."""
+
+
+SMOOTH = worlds(thrusters=True, programs=True, model="smooth")
+"""Worlds whose ships fly exact paths, switch, turn and fire."""
+
+FLOWING = st.one_of(worlds(programs=True), SMOOTH)
+"""Worlds whose future does not depend on how time is cut."""
+
+BURNING = st.one_of(worlds(thrusters=True, programs=True), SMOOTH)
+"""Worlds under both rules of thrust."""
 
 
 def forced(world: World, plan: Plan) -> World:

@@ -7,14 +7,14 @@ from hypothesis import given
 from fasteroids import World
 from fasteroids.engine import Plan
 from fasteroids.testing import keeping, unfold, worlds
-from tests.properties.laws import EVENTS, forced, same, world_law
+from tests.properties.laws import BURNING, EVENTS, forced, same, world_law
 
 WITH_GRID = Plan(grid=True, thrust=True, bullets=True, ticks=True)
 ALL_PAIRS = Plan(grid=False, thrust=True, bullets=True, ticks=True)
 
 
 @world_law
-@given(worlds(thrusters=True, programs=True))
+@given(BURNING)
 def test_L3_broad_phase(world: World) -> None:
     with keeping("L3_broad_phase", world):
         same(

@@ -16,11 +16,11 @@ from fasteroids.overlap import Placed, first_overlap, outside, slack
 from fasteroids.state import located
 from fasteroids.testing import keeping, unfold, worlds
 from fasteroids.testing.runs import FOREVER
-from tests.properties.laws import EVENTS, world_law
+from tests.properties.laws import BURNING, EVENTS, world_law
 
 
 @world_law
-@given(worlds(thrusters=True, programs=True))
+@given(BURNING)
 def test_L7_containment(world: World) -> None:
     with keeping("L7_containment", world):
         report = audit(world, FOREVER, max_events=EVENTS)

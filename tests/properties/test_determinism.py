@@ -10,8 +10,8 @@ import sys
 from hypothesis import given
 
 from fasteroids import Asteroid, Bullet, Fire, Ship, Skip, Thrust, World
-from fasteroids.testing import Script, unfold, worlds
-from tests.properties.laws import EVENTS, same, world_law
+from fasteroids.testing import Script, unfold
+from tests.properties.laws import BURNING, EVENTS, same, world_law
 
 GOLDEN = "88b51683219d27cf6e25f6f925052c504e29bf57d0096e1f573d0f68ceed9135"
 
@@ -45,7 +45,7 @@ def digest(world: World, events: int = 400) -> str:
 
 
 @world_law
-@given(worlds(thrusters=True, programs=True))
+@given(BURNING)
 def test_L11_determinism(world: World) -> None:
     same(unfold(world, events=EVENTS), unfold(world, events=EVENTS))
 

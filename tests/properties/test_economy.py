@@ -8,11 +8,11 @@ from hypothesis import strategies as st
 from fasteroids import World, act
 from fasteroids.engine import EVERYTHING
 from fasteroids.testing import actions, keeping, unfold, worlds
-from tests.properties.laws import EVENTS, forced, same, world_law
+from tests.properties.laws import BURNING, EVENTS, forced, same, world_law
 
 
 @world_law
-@given(worlds(thrusters=True, programs=True))
+@given(BURNING)
 def test_L13_economy(world: World) -> None:
     with keeping("L13_economy", world):
         same(unfold(forced(world, EVERYTHING), events=EVENTS), unfold(world, events=EVENTS))

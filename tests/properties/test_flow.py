@@ -9,15 +9,15 @@ from hypothesis import given, reject
 from hypothesis import strategies as st
 
 from fasteroids import ModelError, World, evolve, evolve_until
-from fasteroids.testing import keeping, unfold, worlds
-from tests.properties.laws import EVENTS, continued, same, world_law
+from fasteroids.testing import keeping, unfold
+from tests.properties.laws import EVENTS, FLOWING, continued, same, world_law
 
 ULP_OF_RESIDUE = Fraction(1, 2**96)
 """A residue is below 2^-43 s, so it is a multiple of at most 2^-96 s: what a step's own rounding of it may lose."""
 
 
 @world_law
-@given(worlds(programs=True), st.data())
+@given(FLOWING, st.data())
 def test_L1_flow(world: World, data: st.DataObject) -> None:
     whole = unfold(world, events=EVENTS)
     end = whole.times[-1] if whole.log else 1.0
@@ -33,7 +33,7 @@ def test_L1_flow(world: World, data: st.DataObject) -> None:
 
 
 @world_law
-@given(worlds(programs=True, flavours=("ordinary", "touching", "corners", "twins")), st.data())
+@given(FLOWING, st.data())
 def test_L1_flow_without_watching(world: World, data: st.DataObject) -> None:
     whole = unfold(world, events=EVENTS)
     end = whole.times[-1] if whole.log else 1.0

@@ -9,12 +9,12 @@ from hypothesis import given
 
 from fasteroids import ModelError, Ship, World
 from fasteroids.events import storm_limit
-from fasteroids.testing import keeping, unfold, worlds
-from tests.properties.laws import world_law
+from fasteroids.testing import keeping, unfold
+from tests.properties.laws import BURNING, world_law
 
 
 @world_law
-@given(worlds(thrusters=True, programs=True))
+@given(BURNING)
 def test_L14_progress(world: World) -> None:
     with keeping("L14_progress", world):
         log = unfold(world, events=500).log

@@ -11,7 +11,7 @@ from fasteroids import World, act, evolve, evolve_until, happenings
 from fasteroids.entities import id_of
 from fasteroids.testing import actions, keeping, unfold, worlds
 from fasteroids.testing.runs import FOREVER
-from tests.properties.laws import EVENTS, world_law
+from tests.properties.laws import BURNING, EVENTS, world_law
 
 
 def everything(world: World) -> tuple[Any, ...]:
@@ -21,7 +21,7 @@ def everything(world: World) -> tuple[Any, ...]:
 
 
 @world_law
-@given(worlds(thrusters=True, programs=True), st.lists(st.booleans(), max_size=2 * EVENTS))
+@given(BURNING, st.lists(st.booleans(), max_size=2 * EVENTS))
 def test_L4_purity_of_suspended_iterators(world: World, turns: list[bool]) -> None:
     log = unfold(world, events=EVENTS).log
     before = everything(world)
@@ -40,7 +40,7 @@ def test_L4_purity_of_suspended_iterators(world: World, turns: list[bool]) -> No
 
 
 @world_law
-@given(worlds(thrusters=True, programs=True), st.data())
+@given(BURNING, st.data())
 def test_L4_purity_of_past_states(world: World, data: st.DataObject) -> None:
     run = unfold(world, events=EVENTS)
     pictures = [everything(w) for w in run.worlds]

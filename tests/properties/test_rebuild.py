@@ -9,12 +9,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fasteroids import World
-from fasteroids.testing import Run, keeping, unfold, worlds
-from tests.properties.laws import EVENTS, same, world_law
+from fasteroids.testing import Run, keeping, unfold
+from tests.properties.laws import BURNING, EVENTS, same, world_law
 
 
 @world_law
-@given(worlds(thrusters=True, programs=True), st.data())
+@given(BURNING, st.data())
 def test_L2_rebuild(world: World, data: st.DataObject) -> None:
     whole = unfold(world, events=EVENTS)
     n = len(whole.log)
@@ -28,7 +28,7 @@ def test_L2_rebuild(world: World, data: st.DataObject) -> None:
 
 
 @world_law
-@given(worlds(thrusters=True, programs=True))
+@given(BURNING)
 def test_L2_rebuild_after_every_event(world: World) -> None:
     whole = unfold(world, events=EVENTS)
     log, worlds_, now = [], [], world

@@ -10,15 +10,15 @@ from fasteroids import Asteroid, Bullet, Ship, World
 from fasteroids.entities import Entity
 from fasteroids.overlap import depth
 from fasteroids.state import located
-from fasteroids.testing import keeping, unfold, worlds
+from fasteroids.testing import keeping, unfold
 from fasteroids.units import MAX_BULLETS, SPLIT_RADIUS
-from tests.properties.laws import EVENTS, world_law
+from tests.properties.laws import BURNING, EVENTS, world_law
 
 U = 2.0**-53
 
 
 @world_law
-@given(worlds(thrusters=True, programs=True))
+@given(BURNING)
 def test_L10_rules(world: World) -> None:
     run = unfold(world, events=EVENTS)
     with keeping("L10_rules", world):

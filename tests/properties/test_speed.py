@@ -9,9 +9,9 @@ from hypothesis import strategies as st
 
 from fasteroids import Asteroid, Bullet, Ship, World
 from fasteroids.physics import limit_contact, limit_speed
-from fasteroids.testing import keeping, unfold, worlds
+from fasteroids.testing import keeping, unfold
 from fasteroids.units import SPEED_OF_LIGHT
-from tests.properties.laws import EVENTS, world_law
+from tests.properties.laws import BURNING, EVENTS, world_law
 
 limits = st.one_of(st.floats(0.0, SPEED_OF_LIGHT), st.just(SPEED_OF_LIGHT))
 anything = st.floats()
@@ -20,7 +20,7 @@ speeds = st.floats(-6e5, 6e5)
 
 
 @world_law
-@given(worlds(thrusters=True, programs=True))
+@given(BURNING)
 def test_L8_speed(world: World) -> None:
     with keeping("L8_speed", world):
         for after in unfold(world, events=EVENTS).worlds:

@@ -285,7 +285,7 @@ def told(world: World, happened: Happened, after: World) -> Audit:
 def with_entity(world: World, entity: Entity) -> World:
     """The world with another flight for an entity, from now on."""
     slot = world.slot_of(entity.id or 0)
-    return replaced(world, world.clock, ((slot, starting(entity, world.now)),), (), ())
+    return replaced(world, world.clock, ((slot, starting(world, entity)),), (), ())
 
 
 def test_the_dead_walk() -> None:

@@ -62,6 +62,16 @@ def test_slack_grows_with_the_numbers_and_is_never_a_literal() -> None:
     assert slack(disc(100, 28, 10, 5.0), 0.0, 0.25, 8.0) == 16 * u * 138 + 2.0
 
 
+def test_slack_of_a_bent_path_covers_the_velocity_it_gains() -> None:
+    u = 2.0**-53
+    e = disc(100, 28, 10, 5.0)
+    assert slack(e, 4.0, 0.25, bend=0.0) == slack(e, 4.0, 0.25)
+    assert slack(e, 4.0, 0.0, bend=3.0) == 16 * u * (138 + 4.0 * (5.0 + 2.0 * 12.0))
+    assert slack(e, 4.0, 0.25, bend=3.0) == 16 * u * (138 + 4.0 * 29.0) + 29.0 * 0.25
+    ship = Ship(100, 28, 5.0, 0.0, 10, 1.0, 0.0, max_speed=8.0)
+    assert slack(ship, 4.0, 0.25, bend=1e9) == 16 * u * (138 + 4.0 * 37.0) + 37.0 * 0.25
+
+
 def test_slack_is_a_handful_of_ulps() -> None:
     assert ulp(1000.0) <= slack(disc(1000, 1000, 10), 0.0, 0.0) <= 64 * ulp(1000.0)
 
