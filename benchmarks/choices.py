@@ -135,7 +135,7 @@ def constructors(effort: Effort) -> Table:
         ("Asteroid", "raw"): by_raw,
         ("Asteroid", "constructor, with its guards"): by_class,
         ("Asteroid", "attrs.evolve"): lambda: attrs.evolve(asteroid, x=1.5, y=2.5, vx=3.5, vy=4.5),
-        ("Flight", "raw"): lambda: raw_flight((0, 2.0), asteroid, 3, None),
+        ("Flight", "raw"): lambda: raw_flight((0, 2.0), asteroid, 3, None, None),
         ("Flight", "constructor"): lambda: Flight((0, 2.0), asteroid, 3, None),
         ("Flight", "attrs.evolve"): lambda: attrs.evolve(flight, since=(0, 2.0), bounced_off=3),
     }

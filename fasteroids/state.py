@@ -329,7 +329,8 @@ def standing(world: World, f: Flight) -> Placed:
     """The entity of a flight where it is now, and how far rounding may have put it from there."""
     now = world.now
     e = located(f, now)
-    here = slack(e, between(f.since, now), resolution(now))
+    bend = 0.0 if f.path is None else f.path.bend
+    here = slack(e, between(f.since, now), resolution(now), bend=bend)
     return Placed(e, here + grace(e, world.width, world.height))
 
 

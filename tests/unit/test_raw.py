@@ -70,6 +70,6 @@ def test_a_record_with_weak_references_is_refused() -> None:
 def test_the_records_of_the_engine_can_be_made_raw() -> None:
     disc = raw(Asteroid)(1.0, 2.0, 3.0, 4.0, 5.0, None, 6.0, 7)
     assert disc == Asteroid(1, 2, 3, 4, 5, max_speed=6, id=7)
-    flight = raw(Flight)((0, 1.0), disc, 0, None)
+    flight = raw(Flight)((0, 1.0), disc, 0, None, None)
     assert flight == Flight((0, 1.0), disc)
     assert raw(Ship) is not raw(Ship)
