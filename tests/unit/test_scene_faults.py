@@ -17,7 +17,7 @@ sped = 3
 [world]
 width = -5
 height = "big"
-model = "robst"
+model = "rbst"
 time = inf
 next_id = 0
 
@@ -90,7 +90,7 @@ GOLDEN = f"""\
 line 2: sped = 3: belongs to no table; {THERE}
 line 4: [world], width = -5: must be a number of km from 0 to 1.7976931348623157e+308
 line 5: [world], height = "big": must be a number
-line 6: [world], model = "robst": there is no model 'robst' (did you mean 'robust'?); there are 'spec', 'robust', 'smooth'
+line 6: [world], model = "rbst": there is no model 'rbst' (did you mean 'robust'?); there are 'spec', 'robust', 'smooth'
 line 7: [world], time = inf: must be a finite number of seconds, 0 or more
 line 8: [world], next_id = 0: must be an integer from 1, above every id in the file
 line 10: [[ship]] "red", y: is missing
