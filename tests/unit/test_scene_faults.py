@@ -84,7 +84,7 @@ count = 10001
 
 THERE = "there are [world], [[ship]], [[asteroid]], [[bullet]], [[asteroid-field]]"
 DISC = "name, id, x, y, vx, vy, radius, max_speed, since, bounced_off"
-SHIP_FIELDS = f"{DISC}, mass, direction, thruster, thrust_power"
+SHIP_FIELDS = f"{DISC}, mass, direction, thruster, thrust_power, slowing"
 
 GOLDEN = f"""\
 line 2: sped = 3: belongs to no table; {THERE}
