@@ -12,10 +12,8 @@ from math import inf
 from typing import NamedTuple, TypeAlias
 
 from fasteroids import advancement, quartic
-from fasteroids.entities import Entity
 from fasteroids.moments import Moment, between
 from fasteroids.paths import Limited, Parabola, Path, falling_time, limit_time
-from fasteroids.physics import NEVER, contact_time_exact, contact_time_filtered
 from fasteroids.state import Flight, located
 
 __all__ = ["LIMIT", "WALLS", "Box", "Course", "course", "exit_time", "meeting"]
@@ -36,7 +34,6 @@ _INWARDS = 1.0 + 32.0 * 2.0**-53
 class Course(NamedTuple):
     """A bent flight as it goes on if nobody meets it."""
 
-    path: Path
     ends: float
     """Seconds after its start when it meets a wall or its limit; infinite if it does neither."""
     rank: int
@@ -48,7 +45,7 @@ def course(f: Flight, width: float, height: float) -> Course:
     e, path = f.entity, f.path
     assert path is not None
     if isinstance(path, Limited) and abs(path.half) > _INWARDS:
-        return Course(path, 0.0, LIMIT)
+        return Course(0.0, LIMIT)
     r = e.radius
     times = [
         (t, rank)
@@ -58,7 +55,7 @@ def course(f: Flight, width: float, height: float) -> Course:
     ]
     if isinstance(path, Parabola):
         times.append((limit_time(e.vx, e.vy, path.ax, path.ay, e.max_speed), LIMIT))
-    return Course(path, *min(times))
+    return Course(*min(times))
 
 
 def _exits(x: float, y: float, vx: float, vy: float, path: Path, box: Box) -> list[float]:
@@ -101,10 +98,9 @@ def meeting(f: Flight, g: Flight, ends_f: float, ends_g: float) -> float:
     s, t = between(f.since, reference), between(g.since, reference)
     until = max(min(ends_f - s, ends_g - t), 0.0)
     parted = f.bounced_off == b.id and g.bounced_off == a.id
-    if until == inf:  # both at rest, or the one that is bent has no force: straight lines
-        return NEVER if parted else _straight(a, b)
     p, q = f.path, g.path
-    if not isinstance(p, Limited) and not isinstance(q, Limited):
+    # A course without end is straight: advancement then asks the formula for straight lines.
+    if until < inf and not isinstance(p, Limited) and not isinstance(q, Limited):
         axa, aya = (0.0, 0.0) if p is None else (p.ax, p.ay)
         axb, ayb = (0.0, 0.0) if q is None else (q.ax, q.ay)
         return quartic.contact_time(
@@ -115,9 +111,3 @@ def meeting(f: Flight, g: Flight, ends_f: float, ends_g: float) -> float:
         a.x, a.y, a.vx, a.vy, p and p.onward(s), a.radius,
         b.x, b.y, b.vx, b.vy, q and q.onward(t), b.radius, until, parted,
     )  # fmt: skip
-
-
-def _straight(a: Entity, b: Entity) -> float:
-    numbers = a.x, a.y, a.vx, a.vy, a.radius, b.x, b.y, b.vx, b.vy, b.radius
-    t = contact_time_filtered(*numbers)
-    return t if t == t else contact_time_exact(*numbers)

@@ -299,7 +299,7 @@ class Engine:
 
     def _first_bent(self, slot: int, f: Flight) -> Due | None:
         """The same as `_first` for a disc on a bent path; it may come to a border and stay in its cell."""
-        ends, rank = self._courses[slot][1:]
+        ends, rank = self._courses[slot]
         contact, best = self._contact[slot], None
         if ends < inf:
             best = (*later(f.since, ends), rank)

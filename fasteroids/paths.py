@@ -180,20 +180,21 @@ def falling_time(gap: float, v: float, a: float) -> float:
     A gap that rounding left below zero counts from the moment it closes again. The roots are taken without
     cancellation; a dip of less than 4 u of the gap may count as none.
     """
+    fall = sqrt(2.0 * abs(a)) * sqrt(
+        abs(gap)
+    )  # the speed (km/s) that a gains or loses over the gap
     if v < 0.0 or (v == 0.0 and a < 0.0 and gap <= 0.0):
         if gap <= 0.0:
             return 0.0
         if a <= 0.0:
-            root = distance(v, sqrt(-2.0 * a) * sqrt(gap))
-        elif -v < sqrt(2.0 * a) * sqrt(gap):
+            root = distance(v, fall)
+        elif fall > -v:
             return NEVER
         else:
-            root = sqrt(1.0 + sqrt(2.0 * a) * sqrt(gap) / v) * sqrt(
-                1.0 - sqrt(2.0 * a) * sqrt(gap) / v
-            )
-            root *= -v
+            root = sqrt(-v - fall) * sqrt(fall - v)
         return gap / (0.5 * root - 0.5 * v)
     if a >= 0.0:
         return NEVER
-    d = v * v - 2.0 * a * gap
-    return (v + (distance(v, sqrt(-2.0 * a) * sqrt(gap)) if gap >= 0.0 else sqrt(max(d, 0.0)))) / -a
+    if gap >= 0.0:
+        return (v + distance(v, fall)) / -a
+    return (v + sqrt(max(v - fall, 0.0)) * sqrt(v + fall)) / -a

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from decimal import Decimal
-from math import atan, cos, hypot, inf, isclose, log, nextafter, pi, sin, sinh, sqrt, tan
+from math import atan, cos, hypot, inf, isclose, isfinite, log, nextafter, pi, sin, sinh, sqrt, tan
 
 import pytest
 from hypothesis import given
@@ -271,3 +271,27 @@ def test_a_gap_that_rounding_left_below_zero_counts_when_it_closes_again() -> No
     assert falling_time(-1e-17, 3.0, -2.0) == pytest.approx(3.0)
     assert falling_time(-1.0, 1.0, -2.0) == 0.5
     assert falling_time(-1e-17, 3.0, 0.0) == NEVER
+
+
+@pytest.mark.parametrize(
+    ("gap", "v", "a", "time"),
+    [
+        (1e300, -1e300, -1e300, sqrt(3.0) - 1.0),
+        (1.0, -1e200, 1.0, 1e-200),
+        (1e-320, 0.0, -1e-320, sqrt(2.0)),
+    ],
+)
+def test_a_fall_whose_squares_leave_the_doubles(
+    gap: float, v: float, a: float, time: float
+) -> None:
+    assert falling_time(gap, v, a) == pytest.approx(time, rel=1e-3)  # subnormals have few digits
+
+
+def test_thrust_against_the_motion_gives_numbers() -> None:
+    """Such a path ends at once, but nothing that is asked of it may be nan."""
+    for vy in (0.0, 1e-9, -1e-3):
+        path = limited(-1.0, vy, 1.0, 0.0, 1.0)
+        assert abs(path.half) > 1.0
+        assert all(
+            isfinite(z) for z in (*path.after(0.0, 0.0, -1.0, vy, 2.0), path.onward(800.0).half)
+        )

@@ -9,7 +9,7 @@ import pytest
 from click.testing import Result
 
 from fasteroids import Asteroid, Bullet, Ship, World
-from fasteroids.cli.explain import advice, plan
+from fasteroids.cli.explain import advice, plan, thrust_rules
 from fasteroids.engine import GRID_FROM
 from fasteroids.testing.scripts import Script
 
@@ -104,3 +104,15 @@ def test_advice(world: World, level: str, reason: str) -> None:
 
 def test_bullets_need_their_rules() -> None:
     assert plan(World(99.0, 99.0).add(Bullet(50.0, 50.0, 0.0, 0.0, 3.0, 7)))["bullets"].used
+
+
+def test_says_when_the_rules_of_thrust_differ() -> None:
+    empty = World(400.0, 100.0)
+    assert "no ship" in thrust_rules(empty)
+    assert "until a player" in thrust_rules(empty.add(ship(20.0)))
+    assert "until a program switches a thruster on: ace" in thrust_rules(
+        empty.add(ship(20.0, name="ace", program=Script((None,))))
+    )
+    burning = thrust_rules(empty.add(ship(20.0, name="ace", thruster=True)))
+    assert "from the start" in burning
+    assert "ace" in burning

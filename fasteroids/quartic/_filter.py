@@ -1,0 +1,252 @@
+"""The filter: the Bernstein form of p over pieces of time, halved until a sign is proven or doubtful."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import inf, sqrt
+
+from fasteroids.physics import NEVER, UNDECIDED
+
+__all__ = ["contact_time_filtered"]
+
+_U = 2.0**-53  # unit roundoff of binary64
+_SIGN_B = 8 * _U
+_SIGN_C = 16 * _U
+_SIGN_Q = 64 * _U
+_NOISE = 16 * _U
+_TINY = 2.0**-1000
+_SMALL = 2.0**-480
+_LONG = 2.0**200
+_PIECES = 128  # a contact is found in a handful; more only for roots closer than rounding can tell
+
+
+def contact_time_filtered(
+    xi: float, yi: float, vxi: float, vyi: float, axi: float, ayi: float, ri: float,
+    xj: float, yj: float, vxj: float, vyj: float, axj: float, ayj: float, rj: float,
+    until: float, parted: bool,
+) -> float:  # fmt: skip
+    """The same in rounded arithmetic, or UNDECIDED where a sign could be wrong or a product out of range.
+
+    With u = 2^-53, each computed difference and s carry a relative error of at most u, each product and sum one
+    more. c = r.r - s^2 is off by at most 4 u r.r + 3 u s^2 + u |c|: its sign is proven beyond 16 u (r.r + s^2).
+    The sign of b = r.v is proven beyond 8 u (|x vx| + |y vy|), see `physics.contact_time_filtered`.
+    Underflow: s^2 >= 2^-480 and until <= 2^200 keep every product lost to it (2^-1074, times t^2 at most) far
+    below u s, hence in the share of s in each bound. Overflow makes a bound infinite or nan and comparisons fail.
+    """
+    x = xj - xi
+    y = yj - yi
+    vx = vxj - vxi
+    vy = vyj - vyi
+    hx = 0.5 * (axj - axi)
+    hy = 0.5 * (ayj - ayi)
+    s = ri + rj
+    ss = s * s
+    if not (ss >= _SMALL and until <= _LONG):
+        return UNDECIDED
+    if parted:
+        return _time_parted(x, y, vx, vy, hx, hy, until)
+    rr = x * x + y * y
+    c = rr - ss
+    error = _SIGN_C * (rr + ss)
+    if c > error:
+        return _first_fall(x, y, vx, vy, hx, hy, s, ss, 0.0, until, False)
+    bx = x * vx
+    by = y * vy
+    b = bx + by
+    error_b = _SIGN_B * (abs(bx) + abs(by)) + _TINY
+    if b > error_b and _rising(x, y, vx, vy, hx, hy, until) < b:
+        return NEVER
+    if b < -error_b and c < -error and abs(hx) + abs(hy) < inf:
+        return 0.0
+    return UNDECIDED
+
+
+def _rising(x: float, y: float, vx: float, vy: float, hx: float, hy: float, t: float) -> float:
+    """A number that proves, if it is less than b = r.v, that p rises up to `t` and by more than b t.
+
+    p' / 2 = b + (v.v + r.a) t + 3/2 (v.a) t^2 + (a.a / 2) t^3 is above b - |r.a| t - 3/2 |v.a| t^2, and p - p(0)
+    above 2 b t - |r.a| t^2 - |v.a| t^3. The number is 2 (|r.a| t + |v.a| t^2) and more, with sums of magnitudes for
+    the dot products: at least 4/3 of what is needed, which covers the rounding.
+    """
+    linear = 4.0 * (abs(x * hx) + abs(y * hy))
+    square = 4.0 * (abs(vx * hx) + abs(vy * hy))
+    return t * (linear + square * t)
+
+
+def _time_parted(
+    x: float, y: float, vx: float, vy: float, hx: float, hy: float, until: float
+) -> float:
+    """The time for a pair that has just bounced: p without its constant, so that p(0) = 0.
+
+    Only for b clearly above 0. Then p rises at first: no contact as long as `_rising` proves it. From there on p is
+    above 0 and the search is the usual one, with r.r for s^2.
+    """
+    bx = x * vx
+    by = y * vy
+    b = bx + by
+    if not b > _SIGN_B * (abs(bx) + abs(by)) + _TINY:
+        return UNDECIDED
+    start = until
+    for _ in range(_PIECES):
+        if _rising(x, y, vx, vy, hx, hy, start) < b:
+            break
+        start = 0.5 * start
+    else:
+        return UNDECIDED
+    if start == until:
+        return NEVER
+    rr = x * x + y * y
+    if not rr >= _SMALL:
+        return UNDECIDED
+    return _first_fall(x, y, vx, vy, hx, hy, sqrt(rr), rr, start, until, True)
+
+
+def _first_fall(
+    x: float, y: float, vx: float, vy: float, hx: float, hy: float,
+    s: float, ss: float, low: float, until: float, parted: bool,
+) -> float:  # fmt: skip
+    """The first root in [low, until], knowing that p(low) > 0: halves what `_falls` cannot decide, left first."""
+    ends = [until]
+    for _ in range(_PIECES):
+        high = ends[-1]
+        verdict = _falls(x, y, vx, vy, hx, hy, s, ss, low, high)
+        if verdict > 0:
+            ends.pop()
+            if not ends:
+                return NEVER
+            low = high
+        elif verdict < 0:
+            measure = _measure_parted if parted else _measure
+            return _root(measure, (x, y, vx, vy, hx, hy, ss), low, high)
+        else:
+            ends.append(0.5 * (low + high))
+    return UNDECIDED
+
+
+def _falls(
+    x: float, y: float, vx: float, vy: float, hx: float, hy: float,
+    s: float, ss: float, low: float, high: float,
+) -> int:  # fmt: skip
+    """What p does from `low` to `high`: 1 if it stays above 0, -1 if it falls through 0 just once, else 0.
+
+    The path is a parabola, a Bezier curve whose control points are A = R(low), B = A + R'(low) (high - low) / 2 and
+    C = R(high). It lies in the triangle ABC: if all three are beyond s on one axis, it stays clear. The Bernstein
+    coefficients of p are A.A, A.B, (A.C + 2 B.B) / 3, B.C and C.C, each minus s^2. All positive: p > 0. One change
+    of sign from + to -: exactly one root, and a simple one (Descartes), whatever one doubtful coefficient between is.
+
+    Errors: with D = max over the axes of |x| + |vx| high + |ax| high^2 / 2, plus s, Horner's rule gives A and C to
+    5 u D, and B to 6 u D (its terms add up to no more than D either). With m the largest control component or s, an
+    axis of a product of two points carries 12 u m D + u m^2 and 36 u^2 D^2; both axes, their sum, the mean of A.C
+    and B.B, s^2 and the last difference together at most 40 u m D + 72 u^2 D^2. E = K D (m + K D), K = 64 u, covers
+    them and the roundings of E itself.
+    """
+    width = high - low
+    ax = x + low * (vx + low * hx)
+    cx = x + high * (vx + high * hx)
+    bx = ax + 0.5 * width * (vx + 2.0 * low * hx)
+    dx = abs(x) + high * (abs(vx) + high * abs(hx))
+    ay = y + low * (vy + low * hy)
+    cy = y + high * (vy + high * hy)
+    by = ay + 0.5 * width * (vy + 2.0 * low * hy)
+    dy = abs(y) + high * (abs(vy) + high * abs(hy))
+    reach = _SIGN_Q * ((dx if dx > dy else dy) + s)
+    far = s + reach
+    if (
+        (ax > far and bx > far and cx > far)
+        or (ay > far and by > far and cy > far)
+        or (-ax > far and -bx > far and -cx > far)
+        or (-ay > far and -by > far and -cy > far)
+    ):
+        return 1
+    error = reach * (max(abs(ax), abs(bx), abs(cx), abs(ay), abs(by), abs(cy), s) + reach)
+    first = (ax * ax + ay * ay) - ss
+    if not first > error:
+        return 0
+    second = (ax * bx + ay * by) - ss
+    third = ((ax * cx + ay * cy) + 2.0 * (bx * bx + by * by)) / 3.0 - ss
+    fourth = (bx * cx + by * cy) - ss
+    last = (cx * cx + cy * cy) - ss
+    if last > error:
+        return 1 if second > error and third > error and fourth > error else 0
+    if not last < -error:
+        return 0
+    # + ? - - -, + + ? - - and + + + ? -: one change of sign.
+    falling = (
+        (third < -error and fourth < -error)
+        or (second > error and fourth < -error)
+        or (second > error and third > error)
+    )
+    return -1 if falling else 0
+
+
+_Motion = tuple[float, float, float, float, float, float, float]
+_Measure = Callable[[_Motion, float], tuple[float, float, float, float]]
+
+
+def _measure(motion: _Motion, t: float) -> tuple[float, float, float, float]:
+    """p(t), p'(t), a bound of the error of p(t), and a bound of |p''| up to t.
+
+    R, not the five coefficients: at the contact |R| = s, so the error is of the size u s D and not u D^2. Horner's
+    rule for an axis of R carries at most 5 u (|x| + |vx| t + |ax| t^2 / 2), hence R.R twice |Rx| times that plus
+    2 u R.R, and s^2 carries 3 u s^2. That is within 5 u cond t |p'|, for |dt/dz| = |dp/dz| / |p'|, where dp/dx is
+    2 Rx, dp/dvx is 2 Rx t, dp/dax is Rx t^2 and dp/ds is -2 s.
+    """
+    x, y, vx, vy, hx, hy, ss = motion
+    rx = x + t * (vx + t * hx)
+    ry = y + t * (vy + t * hy)
+    p = (rx * rx + ry * ry) - ss
+    slope = 2.0 * (rx * (vx + 2.0 * t * hx) + ry * (vy + 2.0 * t * hy))
+    dx = abs(x) + t * (abs(vx) + t * abs(hx))
+    dy = abs(y) + t * (abs(vy) + t * abs(hy))
+    noise = _NOISE * ((abs(rx) * dx + abs(ry) * dy) + ss)
+    wx = abs(vx) + 2.0 * t * abs(hx)
+    wy = abs(vy) + 2.0 * t * abs(hy)
+    bend = 2.0 * ((wx * wx + wy * wy) + 2.0 * (dx * abs(hx) + dy * abs(hy)))
+    return p, slope, noise, bend
+
+
+def _measure_parted(motion: _Motion, t: float) -> tuple[float, float, float, float]:
+    """The same for g(t) = p(t) / t of a parted pair, p = R.R - r.r.
+
+    With w = v + a t / 2, R = r + t w and g = w.(2 r + t w): nothing is left of the constant, so a pair that falls
+    back to where it parted has no error from r. What rounding does to w is a change of v and a by 3 u, to r one by
+    u; the other roundings carry at most 4 u |wx| (2 |x| + t |wx|) an axis, where |wx| t <= |Rx| + |x|: within
+    8 u cond t |p'| / t together.
+    """
+    x, y, vx, vy, hx, hy, _ = motion
+    wx = vx + t * hx
+    wy = vy + t * hy
+    ex = 2.0 * x + t * wx
+    ey = 2.0 * y + t * wy
+    g = wx * ex + wy * ey
+    slope = (hx * ex + wx * (wx + t * hx)) + (hy * ey + wy * (wy + t * hy))
+    fx = abs(vx) + t * abs(hx)
+    fy = abs(vy) + t * abs(hy)
+    noise = _NOISE * (fx * (2.0 * abs(x) + t * fx) + fy * (2.0 * abs(y) + t * fy))
+    bend = 4.0 * ((fx * abs(hx) + fy * abs(hy)) + t * (hx * hx + hy * hy))
+    return g, slope, noise, bend
+
+
+def _root(measure: _Measure, motion: _Motion, low: float, high: float) -> float:
+    """The one falling root between `low` and `high`, by Newton's rule, halving where it would leave the bracket.
+
+    It stops where the value is within its error F, and one last step leaves at most F / |p'| and the curvature:
+    F^2 |p''| / (2 |p'|^3). The time is accepted if 64 F |p''| <= |p'|^2, which makes that 1/128 of F / |p'| and
+    keeps p' steady across the error; F itself is at least twice what its measure derives.
+    """
+    t = 0.5 * (low + high)
+    lowest, highest = low, high
+    for _ in range(_PIECES):
+        value, slope, noise, bend = measure(motion, t)
+        if abs(value) <= noise:
+            if not 64.0 * noise * bend <= slope * slope:
+                return UNDECIDED
+            t -= value / slope
+            return min(max(t, lowest), highest)
+        if value > 0.0:
+            low = t
+        else:
+            high = t
+        following = t - value / slope if slope < 0.0 else low
+        t = following if low < following < high else 0.5 * (low + high)
+    return UNDECIDED
