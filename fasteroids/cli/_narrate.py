@@ -107,7 +107,7 @@ class Narrator:
             case "wall", _:
                 return f"{names[0]} dies at the {happened.wall} wall"
             case "limit", "leave":
-                return f"{names[0]} turns against its motion and leaves its speed limit"
+                return f"{names[0]} leaves its speed limit: its thrust slows it"
             case "limit", _:
                 return f"{names[0]} reaches its speed limit"
             case "tick", "fire":

@@ -61,7 +61,7 @@ def told(happened: Happened, after: World | None = None, span: float = 20.0) -> 
         (Happened(1.0, "limit", (1,), effect="reach"), "red reaches its speed limit"),
         (
             Happened(1.0, "limit", (1,), effect="leave"),
-            "red turns against its motion and leaves its speed limit",
+            "red leaves its speed limit: its thrust slows it",
         ),
         (Happened(1.0, "tick", (1,), effect="thrust"), "red switches its thruster on"),
         (Happened(1.0, "tick", (1,), effect="thrust_off"), "red switches its thruster off"),
