@@ -31,6 +31,7 @@ from fasteroids.physics import (
     contact_time_filtered,
     distance,
 )
+from fasteroids.pressing import normal_acceleration
 
 __all__ = ["contact_time", "safe_step", "wall_time"]
 
@@ -107,13 +108,12 @@ def contact_time(
         bend_j, turn_j = _bounds(path_j, t)
         return r - s, rate, error, blur, bend_i + bend_j, turn_i + turn_j
 
-    x, y, vx, vy = xj - xi, yj - yi, vxj - vxi, vyj - vyi
-    if (
-        parted
-        and not _part(x, y, vx, vy, speeds)
-        and _press(x, y, vx, vy, _pulled(path_i, vxi, vyi), _pulled(path_j, vxj, vyj))
-    ):
-        return 0.0
+    if parted:
+        x, y, vx, vy = xj - xi, yj - yi, vxj - vxi, vyj - vyi
+        pulls_i, pulls_j = _acceleration(path_i, vxi, vyi), _acceleration(path_j, vxj, vyj)
+        d2, error = normal_acceleration(x, y, vx, vy, pulls_i, pulls_j)
+        if not _part(x, y, vx, vy, speeds) and d2 < -error:
+            return 0.0
     return _first(look, until, parted)
 
 
@@ -226,18 +226,9 @@ def _pull(path: Path | None) -> float:
     return path.bend if isinstance(path, Parabola) else 0.0
 
 
-def _pulled(path: Path | None, vx: float, vy: float) -> tuple[float, float]:
-    """The acceleration now (km/s^2): on a limited path, the part of the thrust across the velocity."""
-    if path is None:
-        return 0.0, 0.0
-    if isinstance(path, Parabola):
-        return path.ax, path.ay
-    speed = distance(vx, vy)
-    if speed == 0.0:
-        return 0.0, 0.0
-    wx, wy = vx / speed, vy / speed
-    across = path.power * (path.uy * wx - path.ux * wy)
-    return -across * wy, across * wx
+def _acceleration(path: Path | None, vx: float, vy: float) -> tuple[float, float]:
+    """The acceleration now (km/s^2)."""
+    return (0.0, 0.0) if path is None else path.acceleration(vx, vy)
 
 
 def _part(x: float, y: float, vx: float, vy: float, speeds: float) -> bool:
@@ -249,22 +240,3 @@ def _part(x: float, y: float, vx: float, vy: float, speeds: float) -> bool:
     if r == 0.0:
         return vx != 0.0 or vy != 0.0
     return not approaching(x, y, vx, vy) and vx * (x / r) + vy * (y / r) > 4.0 * _U * speeds
-
-
-def _press(
-    x: float, y: float, vx: float, vy: float, ai: tuple[float, float], aj: tuple[float, float]
-) -> bool:
-    """Is D'' at D' = 0 below zero by more than its rounding error?
-
-    D'' = (|v|^2 - D'^2) / |r| + n.a, with n the line of centres. Each of the accelerations is computed to 6 u of
-    its size, the difference and the products with n add 5 u, the centrifugal term has 8 u: 16 u of all covers it.
-    """
-    r = distance(x, y)
-    if r == 0.0:
-        return False
-    nx, ny = x / r, y / r
-    across = vx * ny - vy * nx
-    outward = across * across / r
-    inward = (aj[0] - ai[0]) * nx + (aj[1] - ai[1]) * ny
-    size = outward + distance(*ai) + distance(*aj)
-    return outward + inward < -16.0 * _U * size

@@ -61,6 +61,10 @@ class Parabola:
         """The path as it goes on after `t` s: itself."""
         return self
 
+    def acceleration(self, vx: float, vy: float) -> tuple[float, float]:  # noqa: ARG002
+        """The acceleration (km/s^2) at a velocity (km/s): the same at any."""
+        return self.ax, self.ay
+
     @property
     def bend(self) -> float:
         """The largest acceleration from here on, km/s^2."""
@@ -115,6 +119,18 @@ class Limited:
         """The path as it goes on after `t` s."""
         k = self.half * exp(-self.rate * t) if t > 0.0 else self.half
         return Limited(self.ux, self.uy, self.limit, self.power, self.rate, k)
+
+    def acceleration(self, vx: float, vy: float) -> tuple[float, float]:
+        """The acceleration (km/s^2) at a velocity (km/s): the part of the thrust across it.
+
+        All of it if it points inwards: then the ship leaves its limit at once.
+        """
+        speed = distance(vx, vy)
+        if speed == 0.0 or abs(self.half) > 1.0:
+            return self.ux * self.power, self.uy * self.power
+        wx, wy = vx / speed, vy / speed
+        across = self.power * (self.uy * wx - self.ux * wy)
+        return -across * wy, across * wx
 
     @property
     def bend(self) -> float:

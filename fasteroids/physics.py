@@ -30,6 +30,7 @@ __all__ = [
     "sphere_mass",
     "thrust",
     "wall_time",
+    "with_component",
 ]
 
 NEVER = inf
@@ -301,16 +302,19 @@ def limit_contact(
     lowest = min(limit_i, limit_j)
     common = min(max(common, -lowest), lowest)
     if ci or abs(along_i) > lowest:
-        vxi, vyi = _with_component(x, y, common, vyi * x - vxi * y, limit_i)
+        vxi, vyi = with_component(x, y, common, vyi * x - vxi * y, limit_i)
     if cj or abs(along_j) > lowest:
-        vxj, vyj = _with_component(x, y, common, vyj * x - vxj * y, limit_j)
+        vxj, vyj = with_component(x, y, common, vyj * x - vxj * y, limit_j)
     return vxi, vyi, vxj, vyj, ci, cj
 
 
-def _with_component(
+def with_component(
     nx: float, ny: float, along: float, across: float, limit: float
 ) -> tuple[float, float]:
-    """The velocity with component `along` on the unit vector (nx, ny) and at most `across` beside it."""
+    """The velocity with component `along` on the unit vector (nx, ny) and at most `across` beside it, km/s.
+
+    |along| is at most `limit`; `across` is shortened until the speed as computed fits.
+    """
     room = limit * limit - along * along
     room = sqrt(room) if room > 0.0 else 0.0
     across = min(max(across, -room), room)

@@ -18,6 +18,7 @@ from fasteroids.entities import Asteroid, Bullet, Entity, Ship, id_of, moving
 from fasteroids.moments import Moment, between, resolution
 from fasteroids.overlap import Placed, depth, outside, own_bullet, slack
 from fasteroids.paths import Limited, Parabola, limit_time, to_limit
+from fasteroids.pressing import LEAST_HOP, Mover, lift
 from fasteroids.state import Flight, World, describe, flight, located, path, placed, push
 from fasteroids.units import (
     BULLET_RADIUS,
@@ -104,7 +105,8 @@ def contact(world: World, now: Moment, f: Flight, g: Flight) -> Change:
     """Two flights touch at `now` (1.5.2): bounce, or die."""
     a, b = f.entity, g.entity
     if type(a) is type(b) and type(a) is not Bullet:
-        if f.path is None and g.path is None:
+        straight = f.path is None and g.path is None
+        if straight:
             s = (now[0] - f.since[0]) * WINDOW + (now[1] - f.since[1])
             t = (now[0] - g.since[0]) * WINDOW + (now[1] - g.since[1])
             xa, ya, xb, yb = a.x + a.vx * s, a.y + a.vy * s, b.x + b.vx * t, b.y + b.vy * t
@@ -112,17 +114,41 @@ def contact(world: World, now: Moment, f: Flight, g: Flight) -> Change:
             a, b = located(f, now), located(g, now)
             xa, ya, xb, yb = a.x, a.y, b.x, b.y
         a, b, ca, cb = _bounced(a, xa, ya, b, xb, yb)
+        effect = "bounce"
+        if not straight:
+            a, b, effect, la, lb = _lifted(world, now, a, b)
+            ca, cb = ca or la, cb or lb
         clipped = tuple(id_of(e) for e, c in ((a, ca), (b, cb)) if c) if ca or cb else ()
         f = flight(now, a, b.id, f.next_tick, f.path and path(world, a))
         g = flight(now, b, a.id, g.next_tick, g.path and path(world, b))
         share = a.radius / (a.radius + b.radius)
         at = xa + (xb - xa) * share, ya + (yb - ya) * share
-        return Change("bounce", (f, g), (), (), clipped, (), at)
+        return Change(effect, (f, g), (), (), clipped, (), at)
     a, b = located(f, now), located(g, now)
     share = a.radius / (a.radius + b.radius)
     at = a.x + (b.x - a.x) * share, a.y + (b.y - a.y) * share
     dying = (a, b) if Bullet in (type(a), type(b)) else (a if type(a) is Ship else b,)
     return deaths(world.seed, now, world.roster.next_id, dying)._replace(at=at)
+
+
+def _lifted(
+    world: World, now: Moment, a: Entity, b: Entity
+) -> tuple[Entity, Entity, str, bool, bool]:
+    """Two ships after a bounce, parted so far that they can press on each other; "press" if they do.
+
+    The least height of a hop is never below what rounding may leave between the two (law L7).
+    """
+    fine = resolution(now)
+    height = max(LEAST_HOP * (a.radius + b.radius), slack(a, 0.0, fine) + slack(b, 0.0, fine))
+    movers: list[Mover] = []
+    for e in (a, b):
+        bend = path(world, e)
+        pull = (0.0, 0.0) if bend is None else bend.acceleration(e.vx, e.vy)
+        movers.append(Mover(e.vx, e.vy, *pull, e.mass, e.max_speed))
+    (vxa, vya, ca), (vxb, vyb, cb), pressing = lift(b.x - a.x, b.y - a.y, movers[0], movers[1], height)
+    if (vxa, vya, vxb, vyb) != (a.vx, a.vy, b.vx, b.vy):
+        a, b = moving(a, a.x, a.y, vxa, vya), moving(b, b.x, b.y, vxb, vyb)
+    return a, b, "press" if pressing else "bounce", ca, cb
 
 
 def deaths(seed: int, now: Moment, next_id: int, dying: Iterable[Entity]) -> Change:

@@ -100,6 +100,8 @@ class Narrator:
         match happened.kind, happened.effect:
             case "contact", "bounce":
                 return f"{listed(names)} bounce{where}"
+            case "contact", "press":
+                return f"{listed(names)} press on each other{where}"
             case "contact", _:
                 return f"{listed(names)} collide{where}: {self._fates(happened)}"
             case "wall", "bounce":

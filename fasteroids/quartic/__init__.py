@@ -12,8 +12,9 @@ at which they do both:
 * p(0) <= 0 and p falls right after 0: time 0.
 * p(0) <= 0 and p rises right after 0: they recede. The next contact is where p turns from rising to falling, if
   p <= 0 there still (the turn inside an overlap), else the next root at which p falls.
-* `parted`: the pair has just bounced off one another, so it touches and recedes up to rounding. Then p(0) counts
-  as 0 and p'(0) as max(p'(0), 0), and the rules above apply.
+* `parted`: the pair has just bounced off one another, so it recedes up to rounding. Then p'(0) counts as
+  max(p'(0), 0), and the rules above apply: what rounding left between the two, or overlapping, does not add up
+  from one bounce to the next, since they meet again at s.
 
 Every sum of an x-term and a y-term is symmetric and every quantity even in (r, v, a), so swapping the discs,
 negating an axis or swapping the axes gives the same bits.

@@ -60,7 +60,7 @@ def _polynomial(values: tuple[float, ...], parted: bool) -> Polynomial:
     constant = 4 * (x * x + y * y - s * s)
     linear = 8 * (x * vx + y * vy)
     if parted:
-        constant, linear = 0, max(linear, 0)
+        linear = max(linear, 0)
     square = 4 * (vx * vx + vy * vy + x * ax + y * ay)
     return primitive([constant, linear, square, 4 * (vx * ax + vy * ay), ax * ax + ay * ay])
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from math import inf, sqrt
+from math import inf
 
 from fasteroids.physics import NEVER, UNDECIDED
 
@@ -43,20 +42,18 @@ def contact_time_filtered(
     ss = s * s
     if not (ss >= _SMALL and until <= _LONG):
         return UNDECIDED
-    if parted:
-        return _time_parted(x, y, vx, vy, hx, hy, until)
     rr = x * x + y * y
     c = rr - ss
     error = _SIGN_C * (rr + ss)
-    if c > error:
-        return _first_fall(x, y, vx, vy, hx, hy, s, ss, 0.0, until, False)
+    if c > error and not parted:
+        return _first_fall(x, y, vx, vy, hx, hy, s, ss, 0.0, until)
     bx = x * vx
     by = y * vy
     b = bx + by
     error_b = _SIGN_B * (abs(bx) + abs(by)) + _TINY
-    if b > error_b and _rising(x, y, vx, vy, hx, hy, until) < b:
-        return NEVER
-    if b < -error_b and c < -error and abs(hx) + abs(hy) < inf:
+    if b > error_b:
+        return _receding(x, y, vx, vy, hx, hy, s, ss, b, abs(c) + error, until)
+    if b < -error_b and c < -error and not parted and abs(hx) + abs(hy) < inf:
         return 0.0
     return UNDECIDED
 
@@ -73,19 +70,15 @@ def _rising(x: float, y: float, vx: float, vy: float, hx: float, hy: float, t: f
     return t * (linear + square * t)
 
 
-def _time_parted(
-    x: float, y: float, vx: float, vy: float, hx: float, hy: float, until: float
-) -> float:
-    """The time for a pair that has just bounced: p without its constant, so that p(0) = 0.
+def _receding(
+    x: float, y: float, vx: float, vy: float, hx: float, hy: float,
+    s: float, ss: float, b: float, depth: float, until: float,
+) -> float:  # fmt: skip
+    """The time for a pair that touches or overlaps and recedes: b = r.v > 0, p(0) >= -`depth`.
 
-    Only for b clearly above 0. Then p rises at first: no contact as long as `_rising` proves it. From there on p is
-    above 0 and the search is the usual one, with r.r for s^2.
+    Up to `start`, as long as `_rising` proves it, p rises, and by more than b start. Once that is more than `depth`,
+    p is above 0 there, and the search is the usual one. Else p may turn inside the overlap.
     """
-    bx = x * vx
-    by = y * vy
-    b = bx + by
-    if not b > _SIGN_B * (abs(bx) + abs(by)) + _TINY:
-        return UNDECIDED
     start = until
     for _ in range(_PIECES):
         if _rising(x, y, vx, vy, hx, hy, start) < b:
@@ -95,15 +88,14 @@ def _time_parted(
         return UNDECIDED
     if start == until:
         return NEVER
-    rr = x * x + y * y
-    if not rr >= _SMALL:
-        return UNDECIDED
-    return _first_fall(x, y, vx, vy, hx, hy, sqrt(rr), rr, start, until, True)
+    return (
+        _first_fall(x, y, vx, vy, hx, hy, s, ss, start, until) if b * start > depth else UNDECIDED
+    )
 
 
 def _first_fall(
     x: float, y: float, vx: float, vy: float, hx: float, hy: float,
-    s: float, ss: float, low: float, until: float, parted: bool,
+    s: float, ss: float, low: float, until: float,
 ) -> float:  # fmt: skip
     """The first root in [low, until], knowing that p(low) > 0: halves what `_falls` cannot decide, left first."""
     ends = [until]
@@ -116,8 +108,7 @@ def _first_fall(
                 return NEVER
             low = high
         elif verdict < 0:
-            measure = _measure_parted if parted else _measure
-            return _root(measure, (x, y, vx, vy, hx, hy, ss), low, high)
+            return _root((x, y, vx, vy, hx, hy, ss), low, high)
         else:
             ends.append(0.5 * (low + high))
     return UNDECIDED
@@ -180,7 +171,6 @@ def _falls(
 
 
 _Motion = tuple[float, float, float, float, float, float, float]
-_Measure = Callable[[_Motion, float], tuple[float, float, float, float]]
 
 
 def _measure(motion: _Motion, t: float) -> tuple[float, float, float, float]:
@@ -205,39 +195,17 @@ def _measure(motion: _Motion, t: float) -> tuple[float, float, float, float]:
     return p, slope, noise, bend
 
 
-def _measure_parted(motion: _Motion, t: float) -> tuple[float, float, float, float]:
-    """The same for g(t) = p(t) / t of a parted pair, p = R.R - r.r.
-
-    With w = v + a t / 2, R = r + t w and g = w.(2 r + t w): nothing is left of the constant, so a pair that falls
-    back to where it parted has no error from r. What rounding does to w is a change of v and a by 3 u, to r one by
-    u; the other roundings carry at most 4 u |wx| (2 |x| + t |wx|) an axis, where |wx| t <= |Rx| + |x|: within
-    8 u cond t |p'| / t together.
-    """
-    x, y, vx, vy, hx, hy, _ = motion
-    wx = vx + t * hx
-    wy = vy + t * hy
-    ex = 2.0 * x + t * wx
-    ey = 2.0 * y + t * wy
-    g = wx * ex + wy * ey
-    slope = (hx * ex + wx * (wx + t * hx)) + (hy * ey + wy * (wy + t * hy))
-    fx = abs(vx) + t * abs(hx)
-    fy = abs(vy) + t * abs(hy)
-    noise = _NOISE * (fx * (2.0 * abs(x) + t * fx) + fy * (2.0 * abs(y) + t * fy))
-    bend = 4.0 * ((fx * abs(hx) + fy * abs(hy)) + t * (hx * hx + hy * hy))
-    return g, slope, noise, bend
-
-
-def _root(measure: _Measure, motion: _Motion, low: float, high: float) -> float:
+def _root(motion: _Motion, low: float, high: float) -> float:
     """The one falling root between `low` and `high`, by Newton's rule, halving where it would leave the bracket.
 
     It stops where the value is within its error F, and one last step leaves at most F / |p'| and the curvature:
     F^2 |p''| / (2 |p'|^3). The time is accepted if 64 F |p''| <= |p'|^2, which makes that 1/128 of F / |p'| and
-    keeps p' steady across the error; F itself is at least twice what its measure derives.
+    keeps p' steady across the error; F itself is at least twice what `_measure` derives.
     """
     t = 0.5 * (low + high)
     lowest, highest = low, high
     for _ in range(_PIECES):
-        value, slope, noise, bend = measure(motion, t)
+        value, slope, noise, bend = _measure(motion, t)
         if abs(value) <= noise:
             if not 64.0 * noise * bend <= slope * slope:
                 return UNDECIDED
