@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from math import cos, hypot, log, pi, sin
 
+import attrs
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from fasteroids import Ship, World, evolve, evolve_until, happenings
-from fasteroids.testing import unfold
+from fasteroids.testing import keeping, unfold, worlds
+from tests.properties.laws import EVENTS, world_law
 
 STEPS = (0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001)
 angles = st.floats(0.0, 2.0 * pi)
@@ -54,6 +56,17 @@ def errors(ship: Ship, span: float) -> list[tuple[float, float]]:
 )
 def test_literal_converges_to_smooth_at_first_order(ship: Ship) -> None:
     assert slope(errors(ship, 1.0)) == pytest.approx(1.0, abs=0.1)
+
+
+@world_law
+@given(worlds(programs=True))
+def test_without_a_thruster_on_the_two_rules_give_the_same_bits(world: World) -> None:
+    with keeping("same_bits_without_thrust", world):
+        literal = unfold(world, events=EVENTS)
+        smooth = unfold(attrs.evolve(world, model="smooth"), events=EVENTS)
+        assert literal.log == smooth.log
+        assert literal.end.clock == smooth.end.clock
+        assert literal.end.all_flights() == smooth.end.all_flights()
 
 
 @given(st.floats(1.0, 300.0), st.sampled_from([0.0, 0.5 * pi, pi, 1.5 * pi]))
