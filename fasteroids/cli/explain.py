@@ -167,8 +167,8 @@ def thrust_rules(world: World) -> str:
         late = 0.5 * distance(*fastest.acceleration) / TICKS_PER_SECOND
         return (
             f"literal and smooth differ from the start, since the thruster is on: {_named(burning)}. Cut every "
-            f"{1.0 / TICKS_PER_SECOND} s, literal leaves {label(fastest)} {number(late)} km behind each second, "
-            "and every event anywhere moves its path; smooth flies it exactly"
+            f"{1.0 / TICKS_PER_SECOND} s, literal leaves {label(fastest)} {number(late)} km behind for each second "
+            "below its speed limit, and every event anywhere moves its path; smooth flies it exactly"
         )
     if able:
         return f"literal and smooth give the same bits until a program switches a thruster on: {_named(able)}"
@@ -204,11 +204,14 @@ def _told(title: str, world: World, parts: dict[str, Part], level: Advice) -> li
 
 
 def _verdict(world: World, level: Advice) -> str:
-    if world.model == level.level:
-        return f"{level.level} is enough"
-    if level.level == "spec":
-        return f"spec would do, {world.model} is on the safe side"
-    return f"{level.level} is advised"
+    here, advised = models.named(world.model), models.named(level.level)
+    if here.filtered is advised.filtered:  # smooth decides as robust does
+        return f"{here.name} is enough"
+    if level.level != "spec":
+        return f"{level.level} is advised"
+    if here.thrust != advised.thrust:
+        return f"{here.name} is on the safe side; spec would decide as well, but its rule of thrust is {advised.thrust}"
+    return f"spec would do, {here.name} is on the safe side"
 
 
 def _wrapped(text: str) -> list[str]:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 from click.testing import Result
 
-from fasteroids import Asteroid, Bullet, Ship, World
+from fasteroids import Asteroid, Bullet, Ship, World, dump_scene
 from fasteroids.cli.explain import advice, plan, thrust_rules
 from fasteroids.engine import GRID_FROM
 from fasteroids.testing.scripts import Script
@@ -116,3 +117,24 @@ def test_says_when_the_rules_of_thrust_differ() -> None:
     burning = thrust_rules(empty.add(ship(20.0, name="ace", thruster=True)))
     assert "from the start" in burning
     assert "ace" in burning
+    assert "22 km behind for each second below its speed limit" in burning
+
+
+@pytest.mark.parametrize(
+    ("size", "model", "verdict"),
+    [
+        (200.0, "spec", "spec is enough:"),
+        (200.0, "robust", "spec would do, robust is on the safe side:"),
+        (200.0, "smooth", "smooth is on the safe side; spec would decide as well, but its rule of thrust is literal:"),
+        (1e9, "spec", "robust is advised:"),
+        (1e9, "robust", "robust is enough:"),
+        (1e9, "smooth", "smooth is enough:"),
+    ],
+)  # fmt: skip
+def test_the_verdict_knows_that_smooth_decides_as_robust(
+    call: Call, tmp_path: Path, size: float, model: str, verdict: str
+) -> None:
+    world = World(size, size, model=model).add_all([ship(50.0), ship(150.0)])
+    scene = tmp_path / "scene.toml"
+    scene.write_text(dump_scene(world), encoding="utf-8")
+    assert f"level {verdict}" in " ".join(call("explain", str(scene)).stdout.split())
