@@ -1,4 +1,4 @@
-"""First contacts on curves without a closed form: conservative advancement of second order (1.2, 1.5.1).
+"""First contacts on curves without a closed form: conservative advancement (1.2, 1.5.1).
 
 A gap D(t), between two discs or between a disc and a wall, is known together with its derivative, and its second
 derivative is never below -B. From any time t the gap stays open at least until the root h of
@@ -12,6 +12,10 @@ A second bound helps where the thrust is strong: on a limited path the whole tur
 by at most the chord 2 c sin(phi / 2) <= T = 2 c min(tan(phi / 2), 1), hence D(t + h) >= D + (D' - T) h. The longer
 of the two steps is taken. Once T is no more than the rounding error of D' the path counts as straight, and the
 search ends: a straight gap is convex.
+
+Both add up what each of two discs may do, and see nothing of two that bend alike. A search that takes long asks the
+series of `fasteroids.series` as well: for the line of centres n at t, |r(t + h)| >= n.r(t + h), and the series of n.r
+is the difference of two, of high order.
 
 Tolerances. A gap within its own rounding error E counts as closed, and a derivative within its own, F, as zero; both
 are multiples of u = 2^-53 derived where they are computed.
@@ -32,15 +36,20 @@ from fasteroids.physics import (
     distance,
 )
 from fasteroids.pressing import normal_acceleration
+from fasteroids.series import difference, safe_time, series
 
 __all__ = ["contact_time", "safe_step", "wall_time"]
 
 _U = 2.0**-53
 _TINY = 2.0**-1000
-_PATIENCE = 256
+_FEW = 8
+_PATIENCE = 4096
 
 _Look: TypeAlias = Callable[[float], tuple[float, float, float, float, float, float]]
 """From a time to the gap D (km), D' (km/s), their rounding errors E and F, the bounds B (km/s^2) and T (km/s)."""
+
+_Far: TypeAlias = Callable[[float, float], float]
+"""From a time and a gap (km) that is open then to a time (s) within which it stays open, by the series."""
 
 
 def safe_step(gap: float, rate: float, bend: float) -> float:
@@ -114,7 +123,21 @@ def contact_time(
         d2, error = normal_acceleration(x, y, vx, vy, pulls_i, pulls_j)
         if not _part(x, y, vx, vy, speeds) and d2 < -error:
             return 0.0
-    return _first(look, until, parted)
+    unit = _unit(path_i, path_j)
+
+    def far(t: float, gap: float) -> float:
+        pxi, pyi, wxi, wyi = _state(path_i, xi, yi, vxi, vyi, t)
+        pxj, pyj, wxj, wyj = _state(path_j, xj, yj, vxj, vyj, t)
+        x, y = pxj - pxi, pyj - pyi
+        r = distance(x, y)
+        if r == 0.0 or not 0.0 < unit < inf:
+            return 0.0
+        nx, ny = x / r, y / r
+        i = series(path_i and path_i.onward(t), wxi, wyi, nx, ny, unit)
+        j = series(path_j and path_j.onward(t), wxj, wyj, nx, ny, unit)
+        return unit * safe_time(gap, difference(i, j))
+
+    return _first(look, far, until, parted)
 
 
 def wall_time(
@@ -137,21 +160,33 @@ def wall_time(
         bend, turn = _bounds(path, t)
         return at - wall, nx * wx + ny * wy, error, blur, bend, turn
 
-    return _first(look, until, parted=False)
+    unit = _unit(path)
+
+    def far(t: float, gap: float) -> float:
+        if not 0.0 < unit < inf:
+            return 0.0
+        _, _, wx, wy = _state(path, x, y, vx, vy, t)
+        return unit * safe_time(gap, series(path and path.onward(t), wx, wy, nx, ny, unit))
+
+    return _first(look, far, until, parted=False)
 
 
-def _first(look: _Look, until: float, parted: bool) -> float:
+def _first(look: _Look, far: _Far, until: float, parted: bool) -> float:
     """The first time in [0, until] with gap <= E and D' < -F (at t = 0: D' < 0); else NEVER.
 
-    It ends. Ordinary searches take some ten steps. Slow grazing on a strong bend converges only linearly, so
-    after `_PATIENCE` steps the least gap a step is made for doubles with every step from E upwards. What may be
-    missed then is a dip that is only that deep and over before the next look; what is answered is a contact all
-    the same. The least gap is infinite after at most 1024 doublings, and the step with it: E is not 0.
+    Ordinary searches take a handful of looks. After `_FEW` the series is asked too: its steps are no shorter than
+    0.05 / w as long as the gap is E or more, and after 40 / w a limited path is straight. A gap that is no number is
+    beyond all worlds.
+
+    It ends also where rates leave the range in which a series can be computed: after `_PATIENCE` looks the least gap
+    a step is made for doubles with every step from E upwards, and is infinite after 1024 doublings.
     """
-    t, patience = 0.0, 0
+    t, looks = 0.0, 0
     least = 1.0
     while t <= until and t < inf:
         gap, rate, error, blur, bend, turn = look(t)
+        if not gap < inf:
+            return NEVER
         if turn <= blur:
             bend = turn = 0.0
         opening = parted and t == 0.0
@@ -160,11 +195,20 @@ def _first(look: _Look, until: float, parted: bool) -> float:
         elif gap <= error and rate < (-blur if t > 0.0 else 0.0):
             return t
         step = _step(gap, rate, error * least, blur, bend, turn, opening or gap > error)
+        looks += 1
+        if looks > _FEW and step < inf:
+            step = max(step, far(t, max(gap, error)))
         t = max(t + step, nextafter(t, inf))
-        patience += 1
-        if patience > _PATIENCE:
+        if looks > _PATIENCE:
             least *= 2.0
     return NEVER
+
+
+def _unit(*paths: Path | None) -> float:
+    """The time (s) in which the fastest of some paths turns; NEVER if none does."""
+    return min(
+        (1.0 / p.rate for p in paths if isinstance(p, Limited) and p.rate > 0.0), default=inf
+    )
 
 
 def _step(

@@ -145,7 +145,9 @@ def _lifted(
         bend = path(world, e)
         pull = (0.0, 0.0) if bend is None else bend.acceleration(e.vx, e.vy)
         movers.append(Mover(e.vx, e.vy, *pull, e.mass, e.max_speed))
-    (vxa, vya, ca), (vxb, vyb, cb), pressing = lift(b.x - a.x, b.y - a.y, movers[0], movers[1], height)
+    (vxa, vya, ca), (vxb, vyb, cb), pressing = lift(
+        b.x - a.x, b.y - a.y, movers[0], movers[1], height
+    )
     if (vxa, vya, vxb, vyb) != (a.vx, a.vy, b.vx, b.vy):
         a, b = moving(a, a.x, a.y, vxa, vya), moving(b, b.x, b.y, vxb, vyb)
     return a, b, "press" if pressing else "bounce", ca, cb
@@ -221,25 +223,26 @@ def wall(world: World, now: Moment, f: Flight, side: str) -> Change:
     if f.path is not None:
         ax, ay = e.acceleration  # type: ignore[union-attr]
         if side in ("left", "right"):
-            vx = _settled(vx, ax, world.width, now)
+            vx = _settled(vx, ax, e.radius, x, now)
         else:
-            vy = _settled(vy, ay, world.height, now)
+            vy = _settled(vy, ay, e.radius, y, now)
     e = moving(e, x, y, vx, vy, bounced=True)
     f = flight(now, e, 0, f.next_tick, f.path and path(world, e))
     return Change("bounce", (f,), (), (), (), (), at)
 
 
-def _settled(v: float, a: float, size: float, now: Moment) -> float:
+def _settled(v: float, a: float, radius: float, at: float, now: Moment) -> float:
     """The velocity off a wall, or 0.0 if acceleration `a` brings the ship back before anyone can tell.
 
-    That is within the resolution of the clock, or without having moved by the spacing of the coordinates there:
-    a hop v^2 / (2 a) high that takes 2 v / a. At its speed limit a ship pressed obliquely against a wall hops ever
-    lower, without end; the wall then bears the pressure (see `state.push`).
+    That is from a hop v^2 / (2 a) lower than the least (see `fasteroids.pressing`), or than the spacing of the
+    coordinates there, `at`; or one of 2 v / a s that the clock does not resolve. At its speed limit a ship pressed
+    obliquely against a wall hops ever lower, without end; the wall then bears the pressure (see `state.push`).
     """
     if v * a >= 0.0:
         return v
+    least = max(LEAST_HOP * radius, ulp(at))
     hop = abs(v / a)
-    return v if hop * 2.0 > resolution(now) and hop * abs(v) > 2.0 * ulp(size) else 0.0
+    return v if hop * 2.0 > resolution(now) and hop * abs(v) > 2.0 * least else 0.0
 
 
 # Thrust.
