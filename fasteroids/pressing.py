@@ -91,18 +91,23 @@ def lift(
     more = least - rate
     back, forth = share_i * more, share_j * more
     short = max(back - along_i - i.limit, 0.0)
-    over = max(along_j + forth + short - j.limit, 0.0)
+    over = max(forth + along_j - j.limit, 0.0)
     return (
-        _parted(i, -nx, -ny, -along_i, back - short + over),
-        _parted(j, nx, ny, along_j, forth - over + short),
+        _parted(i, -nx, -ny, -along_i, back - short + over, short > 0.0),
+        _parted(j, nx, ny, along_j, forth - over + short, over > 0.0),
         True,
     )
 
 
-def _parted(e: Mover, nx: float, ny: float, along: float, more: float) -> tuple[float, float, bool]:
-    """A velocity with `more` along n, where it has `along`, within its limit; and whether that clipped it."""
+def _parted(
+    e: Mover, nx: float, ny: float, along: float, more: float, short: bool
+) -> tuple[float, float, bool]:
+    """A velocity with `more` along n, where it has `along`, within its limit; and whether that clipped it.
+
+    `short` says that the limit has clipped its share already.
+    """
     vx, vy = e.vx + more * nx, e.vy + more * ny
     if sqrt(vx * vx + vy * vy) <= e.limit:
-        return vx, vy, False
+        return vx, vy, short
     along = min(max(along + more, -e.limit), e.limit)
     return *with_component(nx, ny, along, e.vy * nx - e.vx * ny, e.limit), True

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from fasteroids import advancement
 from fasteroids.advancement import contact_time, safe_step, wall_time
 from fasteroids.paths import Limited, Parabola, Path, falling_time, limited
-from fasteroids.physics import NEVER, contact_time_exact
+from fasteroids.physics import NEVER, contact_time_exact, distance
 from tests.unit.making import U
 
 Disc = tuple[float, float, float, float, Path | None, float]
@@ -125,8 +125,17 @@ def test_straight_pairs_are_those_of_the_exact_formula(seed: int) -> None:
 def test_searches_without_an_end_end(seed: int, looks: Looks) -> None:
     chance = random.Random(seed)
     i, j = disc(chance, "limited", 8.0), disc(chance, chance.choice(["limited", "none"]), 12.0)
-    t = contact_time(*i, *j, inf, parted=chance.random() < 0.5)
-    assert t == NEVER or isfinite(t)
+    parted = chance.random() < 0.5
+    t = contact_time(*i, *j, inf, parted=parted)
+    gap = gap_between(i, j)
+    want, _ = crossing(gap, 60.0)
+    if t == NEVER:  # beyond 60 s all of them fly straight, and apart
+        assert want == inf or parted or gap(0.0) <= 0.0
+    elif not parted:
+        assert isfinite(t)
+        assert gap(t) < 1e-8
+        assert gap(t + 1e-6 * (1.0 + t)) < gap(t)
+        assert gap(0.0) <= 0.0 or t <= want + 1e-9
     assert looks.count <= 64
 
 
@@ -158,14 +167,57 @@ def test_a_graze_is_seen(depth: float, hits: bool, looks: Looks) -> None:
     assert looks.count <= 128
 
 
+def formation(chance: random.Random) -> tuple[Disc, Disc]:
+    """Two side by side at the limit, or next to it, whose thrusts are nearly the same: they drift slowly."""
+    aim, spread = chance.uniform(0.0, 2.0 * pi), 10.0 ** chance.uniform(-6.0, -1.0)
+    turn, away = aim + chance.uniform(-1.5, 1.5), chance.uniform(0.0, 2.0 * pi)
+    gap = 10.0 ** chance.uniform(-6.0, -2.0)
+    discs = []
+    for n in (0.0, 1.0):
+        here = aim + n * chance.choice([0.0, chance.uniform(-1.0, 1.0)]) * spread
+        vx, vy = 250.0 * cos(here), 250.0 * sin(here)
+        push = 220.0 * (1.0 + n * chance.choice([0.0, spread, -spread]))
+        thrust = turn + n * chance.uniform(-1.0, 1.0) * spread
+        path = limited(vx, vy, push * cos(thrust), push * sin(thrust), 250.0)
+        x, y = n * (40.0 + gap) * cos(away), n * (40.0 + gap) * sin(away)
+        discs.append((x, y, vx, vy, path, 20.0))
+    return discs[0], discs[1]
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_a_formation_meets_when_it_should(seed: int, looks: Looks) -> None:
+    """Found by attack: what two that bend alike might do each by itself is much, what they do is little."""
+    i, j = formation(random.Random(seed))
+    gap, until = gap_between(i, j), 8.0
+    want, lowest = crossing(gap, until)
+    t = contact_time(*i, *j, until, parted=False)
+    if want < inf or t < inf:
+        assert t <= want + 1e-6
+        assert abs(gap(t)) < 1e-9
+        assert t == pytest.approx(want, abs=1e-3) or lowest < 1e-9
+    assert looks.count <= 160
+
+
+def test_a_gap_beyond_the_doubles_never_closes() -> None:
+    """An acceleration of 1e-300 km/s^2 at the limit: the next look would be 1e305 s ahead."""
+    path = limited(212132.0, 212132.0, -7e-301, 7e-301, distance(212132.0, 212132.0))
+    assert wall_time(path, 5e8, 5e8, 212132.0, 212132.0, 1.0, 0.0, 1e6) == NEVER
+    assert wall_time(path, 5e8, 5e8, 212132.0, 212132.0, -1.0, 0.0, -1e9) == pytest.approx(
+        5e8 / 212132.0
+    )
+
+
 @pytest.mark.parametrize("speed", [0.01, 1.0])
 def test_a_slow_graze_on_a_strong_bend_ends(speed: float, looks: Looks) -> None:
-    """Thrust along a common tangent bends nothing towards the rock, but the bound does not know it."""
-    ship: Disc = (-3.0, 1000.0, speed, 0.0, Parabola(220.0, 0.0), 500.0)
+    """Thrust along a common tangent bends nothing towards the rock, but the second-order bound does not know it."""
     rock: Disc = (0.0, 0.0, 0.0, 0.0, None, 500.0)
-    t = contact_time(*ship, *rock, 100.0, parted=False)
-    assert t == NEVER or abs(gap_between(ship, rock)(t)) < 1e-9
-    assert looks.count <= advancement._PATIENCE + 200
+    for above, hits in ((0.0, None), (1e-6, False), (-1e-6, True)):
+        ship: Disc = (-3.0, 1000.0 + above, speed, 0.0, Parabola(220.0, 0.0), 500.0)
+        looks.count = 0
+        t = contact_time(*ship, *rock, 100.0, parted=False)
+        assert t == NEVER or abs(gap_between(ship, rock)(t)) < 1e-9
+        assert hits is None or (t < NEVER) == hits
+        assert looks.count <= 200
 
 
 def test_until_is_the_end() -> None:
