@@ -138,17 +138,24 @@ class Auditor:
             self._speed.see(distance(vx, vy), e.max_speed + room, now, (e.id or 0,))
 
     def _check_contact(self, happened: Happened, world: World, f: Flight, g: Flight) -> None:
-        """L9 for a bounce nobody was clipped in; L10 for own bullets."""
+        """L9 for a bounce nobody was clipped in; L10 for own bullets.
+
+        Two that press on each other keep momentum, to twice as much since they are lifted after the bounce; the work
+        of the thrust over the height of a hop is theirs.
+        """
         now, ids = world.now, happened.entities
         if own_bullet(f.entity, g.entity):
             self._own.fault(now, ids)
-        if happened.effect == "bounce" and not any(
+        if happened.effect in ("bounce", "press") and not any(
             i in happened.clipped or i not in world for i in ids
         ):
             after = [world.flight_of(i).entity for i in ids]
             momentum, energy = imbalance(_at_impact(f, now), _at_impact(g, now), *after)
-            self._momentum.see(momentum, BOUNCE_LIMIT, now, ids)
-            self._energy.see(energy, BOUNCE_LIMIT, now, ids)
+            if happened.effect == "bounce":
+                self._momentum.see(momentum, BOUNCE_LIMIT, now, ids)
+                self._energy.see(energy, BOUNCE_LIMIT, now, ids)
+            else:
+                self._momentum.see(momentum, 2.0 * BOUNCE_LIMIT, now, ids)
 
     def _check_wall(self, world: World, flights: Iterable[Flight]) -> None:
         """L10: a bullet dies at its second wall."""

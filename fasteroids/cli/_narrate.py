@@ -62,6 +62,7 @@ class Narrator:
         self._form = ".3f" if 0.1 <= span <= 1e6 else ".9g"
         self._names: dict[int, str] = {}
         self._splitting: set[int] = set()
+        self._pressing: set[tuple[int, ...]] = set()
         for f in world.flights:
             if f is not None:
                 self._meet(f.entity)
@@ -80,8 +81,12 @@ class Narrator:
         return f"{seconds:{self._form}}"
 
     def line(self, happened: Happened | None, world: World) -> str | None:
-        """The line of an event, with the world just after it. None without an event."""
-        if happened is None:
+        """The line of an event, with the world just after it. None without an event.
+
+        Two that press on each other do so in many small hops: they are told of once, until something else happens
+        to one of them.
+        """
+        if happened is None or self._known(happened):
             return None
         told = self._told(happened)
         for i in happened.born:
@@ -93,6 +98,15 @@ class Narrator:
         for line in happened.prints:
             told += f"; prints {line if line.isprintable() else repr(line)}"
         return f"{self.time(happened.time)}  {told}"
+
+    def _known(self, happened: Happened) -> bool:
+        """Is this one more hop of two that press on each other?"""
+        if happened.effect == "press" and happened.entities in self._pressing:
+            return True
+        self._pressing = {pair for pair in self._pressing if not {*pair} & {*happened.entities}}
+        if happened.effect == "press":
+            self._pressing.add(happened.entities)
+        return False
 
     def _told(self, happened: Happened) -> str:
         names = [self.name(i) for i in happened.entities]

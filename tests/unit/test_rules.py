@@ -22,8 +22,10 @@ from fasteroids import (
     evolve,
 )
 from fasteroids.entities import Entity
+from fasteroids.pressing import LEAST_HOP
 from fasteroids.rules import Change, apply, bounce, contact, kick, masses, wall
 from fasteroids.state import Flight
+from fasteroids.testing import unfold
 from fasteroids.units import THRUST
 
 NOON = (0, 2.0)
@@ -222,3 +224,36 @@ def test_apply_only_ships_act(entity_id: int) -> None:
     kind = type(WORLD[entity_id]).__name__.lower()
     with pytest.raises(ModelError, match=f"only a ship can act, not {kind} #{entity_id}"):
         act(WORLD, entity_id, Fire())
+
+
+# Leaning.
+
+
+@pytest.mark.parametrize(("limit", "hops"), [(10.0, 300), (250.0, 8000)])
+def test_wall_bears_a_ship_that_hops_ever_lower(limit: float, hops: int) -> None:
+    """Found by attack: pressed obliquely at its limit a ship hopped half a million times a second."""
+    diver = Ship(500, 25, limit, 0, 20, 5e15, -pi / 4, thruster=True, max_speed=limit)
+    wide = World(1e5, 1e5, model="smooth").add(diver)
+    run = unfold(wide, until=60.0, events=hops)
+    assert run.end.time == 60.0
+    assert run.end[1].vy == 0.0
+    assert run.end[1].y == 20.0
+    assert {h.kind for h in run.log[-2:]} == {
+        "wall",
+        "limit",
+    }  # it leans, and is held at its limit again
+
+
+@pytest.mark.parametrize("size", [1e3, 1e12, 1e20])
+def test_wall_keeps_the_speed_of_a_bounce_in_a_world_of_any_size(size: float) -> None:
+    thrower = Ship(30, 500, -1000, 0, 20, 5e15, pi, thruster=True)
+    end = unfold(World(size, 1e3, model="smooth").add(thrower), until=0.1, events=1).end
+    assert end[1].vx == pytest.approx(1000.0, rel=0.01)
+
+
+def test_wall_of_a_thrown_ship_is_elastic_until_the_hop_is_the_least() -> None:
+    """Without a limit nothing takes its speed: hops above the least keep their height."""
+    for height, elastic in ((4.0 * LEAST_HOP * 20.0, True), (0.25 * LEAST_HOP * 20.0, False)):
+        dropped = Ship(500, 20 + height, 0, 0, 20, 5e15, 1.5 * pi, thruster=True)
+        end = unfold(World(1e3, 1e3, model="smooth").add(dropped), until=0.1, events=1).end
+        assert (end[1].vy > 0.0) == elastic

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from math import pi
+
 import pytest
 
-from fasteroids import Asteroid, Bullet, Happened, Ship, World
+from fasteroids import Asteroid, Bullet, Happened, Ship, World, happenings
 from fasteroids.cli._narrate import Narrator, census, counted, label, listed, number
 
 
@@ -122,3 +124,17 @@ def test_words() -> None:
     assert label(space()[5]) == "bullet #5"
     assert census(space()) == "2 ships, 2 asteroids and 1 bullet"
     assert census(World(1.0, 1.0)) == "nothing"
+
+
+def test_two_that_press_are_told_of_once_until_something_else_happens() -> None:
+    left = Ship(480, 500, 0, 0, 20, 5e15, 0.0, thruster=True, name="red")
+    right = Ship(520, 500, 0, 0, 20, 5e15, pi, thruster=True, name="blue")
+    world = World(1000, 1000, model="smooth").add_all([left, right])
+    narrator = Narrator(world, 1.0)
+    told = [narrator.line(*step) for step in happenings(world, 0.1, max_events=50)]
+    assert told[0] == "0.000  red and blue press on each other at (500, 500)"
+    assert not any(told[1:])
+    wall = Happened(1.0, "wall", (1,), wall="left")
+    assert narrator.line(wall, world) == "1.000  red bounces off the left wall"
+    again = next(happenings(world, 0.1))
+    assert narrator.line(*again) == told[0]
