@@ -14,6 +14,7 @@ from fasteroids.testing.runs import unfold as unfold
 from fasteroids.testing.scripts import Script as Script
 from fasteroids.testing.strategies import actions as actions
 from fasteroids.testing.strategies import discs as discs
+from fasteroids.testing.strategies import formations as formations
 from fasteroids.testing.strategies import pairs as pairs
 from fasteroids.testing.strategies import scripts as scripts
 from fasteroids.testing.strategies import worlds as worlds
@@ -23,6 +24,7 @@ __all__ = [
     "Script",
     "actions",
     "discs",
+    "formations",
     "keeping",
     "pairs",
     "scripts",

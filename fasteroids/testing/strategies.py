@@ -14,7 +14,7 @@ discs, simple numbers and rest. A `flavour` says what makes a world hard:
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import tau
+from math import cos, pi, sin, tau
 from typing import Any, NamedTuple
 
 from attrs import evolve
@@ -26,7 +26,7 @@ from fasteroids.state import World
 from fasteroids.testing.scripts import Script
 from fasteroids.units import SPEED_OF_LIGHT
 
-__all__ = ["FLAVOURS", "actions", "discs", "pairs", "scripts", "worlds"]
+__all__ = ["FLAVOURS", "actions", "discs", "formations", "pairs", "scripts", "worlds"]
 
 FLAVOURS = ("ordinary", "dense", "thin", "touching", "corners", "twins", "squeeze", "extreme")
 
@@ -219,3 +219,42 @@ def pairs(draw: st.DrawFn) -> tuple[float, ...]:
         px * length, py * length, pvx * speed, pvy * speed, ri * length,
         (px + x) * length, (py + y) * length, (pvx + vx) * speed, (pvy + vy) * speed, rj * length,
     )  # fmt: skip
+
+
+@st.composite
+def formations(draw: st.DrawFn, *, max_size: int = 4, model: str = "smooth") -> World:
+    """Two to `max_size` ships in a row, side by side, that fly and thrust nearly alike, or press on each other.
+
+    They touch or nearly do, at rest, below their speed limit or at it. What each of them does by itself is much more
+    than what they do to each other, so contacts are slow, grazing, or held by the thrust.
+    """
+    aim, row = draw(_angles), draw(_angles)
+    limit = draw(st.sampled_from([250.0, 50.0, SPEED_OF_LIGHT]))
+    speed = draw(st.sampled_from([0.0, min(limit, 100.0), min(limit, 250.0)]))
+    spread = draw(st.sampled_from([0.0, 1e-9, 1e-6, 1e-3, 0.5]))
+    turn = draw(st.one_of(st.just(row), _angles))
+    entities: list[Ship] = []
+    x = y = 1e4
+    for _ in range(draw(st.integers(2, max_size))):
+        radius = draw(st.sampled_from([20.0, 16.0]))
+        if entities:
+            away = (entities[-1].radius + radius) * (
+                1.0 + draw(st.sampled_from([2.0**-52, 1e-9, 1e-4]))
+            )
+            x, y = x + away * cos(row), y + away * sin(row)
+        here = aim + spread * draw(_signed)
+        entities.append(
+            Ship(
+                x,
+                y,
+                speed * cos(here),
+                speed * sin(here),
+                radius,
+                draw(st.sampled_from([5e15, 5e15, 1e16, 1e18]))
+                * (1.0 + 0.5 * spread * draw(_signed)),
+                turn + spread * draw(_signed) + draw(st.sampled_from([0.0, 0.0, pi])),
+                thruster=draw(st.integers(0, 3)) > 0,
+                max_speed=limit,
+            )
+        )
+    return World(2e4, 2e4, draw(st.integers(0, 9)), model).add_all(entities)

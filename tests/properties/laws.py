@@ -14,7 +14,7 @@ from fasteroids.engine import Engine, Plan, give
 from fasteroids.moments import Moment, between, resolution
 from fasteroids.overlap import depth, slack
 from fasteroids.state import located
-from fasteroids.testing import Run, unfold, worlds
+from fasteroids.testing import Run, formations, unfold, worlds
 
 EVENTS = 40
 """Events a world runs for."""
@@ -24,8 +24,8 @@ world_law = settings(max_examples=min(2_000, EXAMPLES))
 """Laws on worlds: 2,000 examples in the long profile, where laws on plain numbers have 20,000."""
 
 
-SMOOTH = worlds(thrusters=True, programs=True, model="smooth")
-"""Worlds whose ships fly exact paths, switch, turn and fire."""
+SMOOTH = st.one_of(worlds(thrusters=True, programs=True, model="smooth"), formations())
+"""Worlds whose ships fly exact paths, switch, turn and fire, or fly side by side and press on each other."""
 
 FLOWING = st.one_of(worlds(programs=True), SMOOTH)
 """Worlds whose future does not depend on how time is cut."""

@@ -18,6 +18,7 @@ from fasteroids.testing import (
     actions,
     discs,
     failures,
+    formations,
     keeping,
     pairs,
     scripts,
@@ -51,6 +52,13 @@ def test_worlds_come_in_all_sizes_and_move(flavour: str) -> None:
     exists(some, lambda w: len(w) >= 20)
     exists(some, lambda w: any(h.kind == "contact" for h in unfold(w, events=20).log))
     exists(some, lambda w: any(h.kind == "wall" for h in unfold(w, events=20).log))
+
+
+def test_formations_press_graze_and_reach_their_limit() -> None:
+    for what in ("press", "reach", "leave"):
+        exists(formations(), lambda w: any(h.effect == what for h in unfold(w, events=20).log))  # noqa: B023
+    exists(formations(), lambda w: not unfold(w, events=1).log)
+    assert len(find(formations(), lambda _: True, settings=search)) == 2
 
 
 def test_worlds_shrink_to_nothing() -> None:
