@@ -105,7 +105,8 @@ def contact_time(
         pxi, pyi, wxi, wyi = _state(path_i, xi, yi, vxi, vyi, t)
         pxj, pyj, wxj, wyj = _state(path_j, xj, yj, vxj, vyj, t)
         x, y, vx, vy = pxj - pxi, pyj - pyi, wxj - wxi, wyj - wyi
-        size = (abs(pxi) + abs(pxj)) + (abs(pyi) + abs(pyj)) + s
+        wide, high = 0.125 * abs(pxi) + 0.125 * abs(pxj), 0.125 * abs(pyi) + 0.125 * abs(pyj)
+        size = wide + high + 0.125 * s
         r = distance(x, y)
         error, blur = _errors(size, speeds, pulls, t)
         if r > 0.0:  # an error of r turns the line of centres
@@ -156,7 +157,7 @@ def wall_time(
     def look(t: float) -> tuple[float, float, float, float, float, float]:
         px, py, wx, wy = _state(path, x, y, vx, vy, t)
         at = nx * px + ny * py
-        error, blur = _errors(abs(at) + abs(wall), speed, pull, t)
+        error, blur = _errors(0.125 * abs(at) + 0.125 * abs(wall), speed, pull, t)
         bend, turn = _bounds(path, t)
         return at - wall, nx * wx + ny * wy, error, blur, bend, turn
 
@@ -231,15 +232,15 @@ def _step(
 def _errors(size: float, speed: float, pull: float, t: float) -> tuple[float, float]:
     """The rounding errors E of a gap (km) and F of its derivative (km/s) after `t` s.
 
-    `size` is the sum of the lengths that enter the gap, `speed` and `pull` the sums of the speeds at the start and
-    of the constant accelerations. The way flown, at most W = (speed + pull t) t, is computed to 8 u W in each of
-    two components; adding it to the start costs u size, the differences and the root of r 4 u |r| <= 4 u size,
-    the radii or the wall and the last subtraction 3 u size. Together at most 8 u size + 16 u W. A velocity is
-    computed to 4 u of its size in each component, and D' adds less than that: 16 u (speed + pull t). What underflow
-    may take from the products is covered by 2^-1000.
+    `size` is an eighth of the sum S of the lengths that enter the gap (S itself may be no double), `speed` and `pull`
+    are the sums of the speeds at the start and of the constant accelerations. The way flown, at most
+    W = (speed + pull t) t, is computed to 8 u W in each of two components; adding it to the start costs u S, the
+    differences and the root of r 4 u |r| <= 4 u S, the radii or the wall and the last subtraction 3 u S. Together at
+    most 8 u S + 16 u W. A velocity is computed to 4 u of its size in each component, and D' adds less than that:
+    16 u (speed + pull t). What underflow may take from the products is covered by 2^-1000.
     """
     fast = speed + pull * t
-    return 8.0 * _U * (size + 2.0 * fast * t) + _TINY, 16.0 * _U * fast + _TINY
+    return 64.0 * _U * size + 16.0 * _U * fast * t + _TINY, 16.0 * _U * fast + _TINY
 
 
 def _state(

@@ -26,7 +26,7 @@ from typing import Any, TypeAlias
 
 from attrs import frozen
 
-from fasteroids import models
+from fasteroids import models, quartic
 from fasteroids.courses import LIMIT, WALLS, Course, course, exit_time, meeting
 from fasteroids.entities import Bullet, Ship
 from fasteroids.grid import Grid, fitting
@@ -290,12 +290,20 @@ class Engine:
         if own_bullet(f.entity, g.entity):
             return _NONE
         self.asked += 1
-        ends = [courses[s].ends if s in courses else inf for s in (slot, other)]
-        t = meeting(f, g, *ends) if me < it else meeting(g, f, *reversed(ends))
+        mine, its = (courses[s].ends if s in courses else inf for s in (slot, other))
+        if me < it:
+            t = meeting(f, g, mine, its, self._exact_bent)
+        else:
+            t = meeting(g, f, its, mine, self._exact_bent)
         if t == inf:
             return _NONE
         window, offset = later(max(f.since, g.since), t)
         return window, offset, CONTACT, min(me, it), max(me, it), other
+
+    def _exact_bent(self, *pair: Any) -> float:
+        """What `quartic.contact_time_exact` says, counted."""
+        self.undecided += 1
+        return quartic.contact_time_exact(*pair)
 
     def _first_bent(self, slot: int, f: Flight) -> Due | None:
         """The same as `_first` for a disc on a bent path; it may come to a border and stay in its cell."""
@@ -307,8 +315,9 @@ class Engine:
         if len(grid.around) > 1 and ends > 0.0:
             stay = exit_time(f, now, grid.box(cell))
             if stay < inf:
-                least = max(resolution(now), grid.shy / f.entity.max_speed)
-                crossing = (*later(now, max(stay, least)), _CROSSING)
+                stay = max(stay, resolution(now), grid.shy / f.entity.max_speed)
+            if stay < inf:
+                crossing = (*later(now, stay), _CROSSING)
                 best = crossing if best is None else min(best, crossing)
         if best is None:
             return contact

@@ -12,7 +12,6 @@ gives one; ``name`` is for people.
 from __future__ import annotations
 
 from math import cos, inf, sin, sqrt, tau
-from sys import float_info
 from typing import TypeAlias, final
 
 from attrs import evolve, field, frozen
@@ -23,14 +22,13 @@ from fasteroids.physics import limit_speed, sphere_mass
 from fasteroids.units import (
     ASTEROID_DENSITY,
     BULLET_DENSITY,
+    MAX_ACCELERATION,
     SPEED_OF_LIGHT,
     THRUST,
     ModelError,
     number,
     shown,
 )
-
-MAX_FLOAT = float_info.max
 
 __all__ = ["Asteroid", "Bullet", "Entity", "Ship", "checked", "id_of", "moving", "wrapped"]
 
@@ -177,10 +175,13 @@ class Ship(_Disc):
 
     @property
     def acceleration(self) -> tuple[float, float]:
-        """(ax, ay) in km/s^2: thrust_power / mass the way it faces (1.2), or (0, 0) with the thruster off."""
+        """(ax, ay) in km/s^2: thrust_power / mass the way it faces (1.2), or (0, 0) with the thruster off.
+
+        Never more than `units.MAX_ACCELERATION`, be the mass as small as it may.
+        """
         if not self.thruster:
             return 0.0, 0.0
-        a = min(self.thrust_power / self.mass, MAX_FLOAT)  # so that 0 * a is 0
+        a = min(self.thrust_power / self.mass, MAX_ACCELERATION)
         return a * cos(self.direction), a * sin(self.direction)
 
 

@@ -14,12 +14,13 @@ from attrs import field, frozen
 from fasteroids import models, rules
 from fasteroids._raw import raw
 from fasteroids.actions import Action
+from fasteroids.courses import contact_ahead, wall_ahead
 from fasteroids.engine import LIMIT, TICK, WALLS, Due, Engine, give, take
-from fasteroids.entities import Entity, checked, id_of
+from fasteroids.entities import Entity, Ship, checked, id_of
 from fasteroids.moments import Clock, advanced, clock_at, seconds
 from fasteroids.overlap import own_bullet
 from fasteroids.physics import NEVER, wall_time
-from fasteroids.state import World, describe, replaced
+from fasteroids.state import World, describe, path, replaced
 from fasteroids.units import ModelError, shown
 
 __all__ = [
@@ -243,22 +244,31 @@ def act(world: World, ship_id: int, action: Action) -> World:
 
 
 def time_to_contact(a: Entity, b: Entity, *, model: str = models.DEFAULT) -> float:
-    """Seconds from now until two entities touch, flying straight on (1.5.1); infinite if they never do.
+    """Seconds from now until two entities touch (1.5.1); infinite if they never do.
 
-    0.0 if they overlap and approach. A bullet and its own ship never meet.
+    0.0 if they overlap and approach. A bullet and its own ship never meet. Both fly on as they are: straight, but
+    under `smooth` along the path on which their thrusters send them, the speed limit included. No world is known, so
+    there are no walls: a contact later than the first `time_to_wall` of one of the two is not what will happen, and
+    a ship that leans on a wall is taken to leave through it.
     """
     level = models.named(model)
     if own_bullet(checked(a, "the first"), checked(b, "the second")):
         return NEVER
+    if level.thrust == "smooth" and any(type(e) is Ship and e.thruster for e in (a, b)):
+        return contact_ahead(a, b)
     return level.contact_time(a.x, a.y, a.vx, a.vy, a.radius, b.x, b.y, b.vx, b.vy, b.radius)
 
 
 def time_to_wall(entity: Entity, world: World) -> tuple[float, tuple[str, ...]]:
     """Seconds from now until an entity meets a boundary of the world, and which (1.5.1).
 
-    (infinity, ()) if it never does, two walls if it runs into a corner.
+    (infinity, ()) if it never does, two walls if it runs into a corner. It flies on as it is, whatever it may meet
+    on the way: straight, but if the world's model is `smooth` along the path on which its thruster sends it, the
+    speed limit included. A ship that leans on a wall slides along it and does not meet it.
     """
     e = checked(entity, "what meets a wall")
+    if type(e) is Ship and path(world, e) is not None:
+        return wall_ahead(e, world)
     r = e.radius
     tx = wall_time(e.x, e.vx, r, world.width - r)
     ty = wall_time(e.y, e.vy, r, world.height - r)

@@ -56,14 +56,14 @@ class Grid:
 
         Who is beyond such a border is beyond that of the cell as well, whatever rounding does.
         """
-        dx = dy = self.shy
+        shy = self.shy
         left, right = self.lefts[cell], self.rights[cell]
         bottom, top = self.bottoms[cell], self.tops[cell]
         return (
-            None if left is None else left - dx,
-            None if right is None else right + dx,
-            None if bottom is None else bottom - dy,
-            None if top is None else top + dy,
+            None if left is None else left - shy,
+            None if right is None else right + shy,
+            None if bottom is None else bottom - shy,
+            None if top is None else top + shy,
         )
 
     def cell_at(self, x: float, y: float) -> int:

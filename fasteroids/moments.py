@@ -18,6 +18,7 @@ from math import inf, ulp
 from fasteroids.units import TICKS_PER_SECOND, WINDOW, ModelError, number, shown
 
 __all__ = [
+    "LAST_WINDOW",
     "ORIGIN",
     "START",
     "Clock",
@@ -43,7 +44,8 @@ ORIGIN: Moment = (0, 0.0)
 START: Clock = (0, 0.0, 0.0)
 
 
-_LAST_WINDOW = 2**1014 - 1  # in it the seconds since the start are still a double
+LAST_WINDOW = 2**1014 - 1
+"""The last window in which the seconds since the start are still a double."""
 
 
 def moment_at(time: float) -> Moment:
@@ -92,7 +94,7 @@ def advanced(clock: Clock, dt: float) -> Clock:
     windows, step = divmod(checked_time(dt, "a step"), WINDOW)
     window, offset, residue = clock
     window += int(windows)
-    if window >= _LAST_WINDOW:
+    if window >= LAST_WINDOW:
         raise ModelError(f"the clock cannot go {shown(dt)} s beyond {seconds(*clock[:2])!r} s")
     total = offset + step
     part = total - offset  # two-sum: total + error = offset + step, exactly

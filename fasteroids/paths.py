@@ -18,12 +18,12 @@ case of its own.
 
 from __future__ import annotations
 
-from math import atan, exp, expm1, inf, log1p, sqrt
+from math import atan, copysign, exp, expm1, inf, log1p, nextafter, sqrt
 from typing import TypeAlias
 
-from attrs import frozen
+from attrs import evolve, frozen
 
-from fasteroids.physics import NEVER, distance, limit_speed
+from fasteroids.physics import NEVER, distance, limit_speed, unit
 
 __all__ = [
     "Limited",
@@ -33,12 +33,14 @@ __all__ = [
     "limit_time",
     "limited",
     "path_of",
+    "reached",
     "to_limit",
 ]
 
 _U = 2.0**-53
 _AT_LIMIT = 1.0 - 16.0 * _U
 _STRAIGHT = 2.0**-26
+_LONGEST = nextafter(inf, 0.0)
 
 
 @frozen(weakref_slot=False)
@@ -125,10 +127,9 @@ class Limited:
 
         All of it if it points inwards: then the ship leaves its limit at once.
         """
-        speed = distance(vx, vy)
-        if speed == 0.0 or abs(self.half) > 1.0:
+        wx, wy = unit(vx, vy)
+        if wx == wy == 0.0 or abs(self.half) > 1.0:
             return self.ux * self.power, self.uy * self.power
-        wx, wy = vx / speed, vy / speed
         across = self.power * (self.uy * wx - self.ux * wy)
         return -across * wy, across * wx
 
@@ -144,9 +145,9 @@ Path: TypeAlias = Parabola | Limited
 
 def limited(vx: float, vy: float, ax: float, ay: float, limit: float) -> Limited:
     """The path of a ship at its speed limit (> 0 km/s) with velocity (vx, vy) and thrust (ax, ay) > 0 km/s^2."""
-    power, speed = distance(ax, ay), distance(vx, vy)
-    ux, uy = ax / power, ay / power
-    wx, wy = vx / speed, vy / speed
+    power = distance(ax, ay)
+    ux, uy = unit(ax, ay)
+    wx, wy = unit(vx, vy)
     forward, sideways = wx * ux + wy * uy, wy * ux - wx * uy
     if forward >= 0.0:
         half = sideways / (1.0 + forward)
@@ -166,6 +167,18 @@ def path_of(vx: float, vy: float, ax: float, ay: float, limit: float) -> Path:
     return Parabola(ax, ay) if limit > 0.0 else Parabola(0.0, 0.0)
 
 
+def reached(vx: float, vy: float, ax: float, ay: float, limit: float) -> Path:
+    """The path on from where thrust (ax, ay) brought a ship to its limit, with velocity (vx, vy), km/s.
+
+    The thrust does not point inwards there, or it would not have brought it so far; and it may be none, where a
+    ship comes to lean on a wall.
+    """
+    if ax == 0.0 and ay == 0.0:
+        return Parabola(0.0, 0.0)
+    path = limited(vx, vy, ax, ay, limit)
+    return path if abs(path.half) <= 1.0 else evolve(path, half=copysign(1.0, path.half))
+
+
 def limit_time(vx: float, vy: float, ax: float, ay: float, limit: float) -> float:
     """Seconds until constant acceleration brings the speed to `limit`; NEVER without acceleration.
 
@@ -175,7 +188,8 @@ def limit_time(vx: float, vy: float, ax: float, ay: float, limit: float) -> floa
     power = distance(ax, ay)
     if power == 0.0 or limit == 0.0:
         return NEVER
-    ux, uy, wx, wy = ax / power, ay / power, vx / limit, vy / limit
+    ux, uy = unit(ax, ay)
+    wx, wy = vx / limit, vy / limit
     speed = distance(wx, wy)
     room = max((1.0 - speed) * (1.0 + speed), 0.0)
     forward = wx * ux + wy * uy
@@ -186,16 +200,17 @@ def limit_time(vx: float, vy: float, ax: float, ay: float, limit: float) -> floa
 
 def to_limit(vx: float, vy: float, limit: float) -> tuple[float, float]:
     """The velocity scaled up or down to the limit (km/s), and not above it as computed."""
-    speed = distance(vx, vy)
-    return limit_speed(vx / speed * limit, vy / speed * limit, limit) if speed > 0.0 else (vx, vy)
+    ux, uy = unit(vx, vy)
+    return limit_speed(ux * limit, uy * limit, limit)
 
 
 def falling_time(gap: float, v: float, a: float) -> float:
     """Seconds until gap + v t + a t^2 / 2 falls through zero; 0.0 if it is there and falling, NEVER if it never does.
 
     A gap that rounding left below zero counts from the moment it closes again. The roots are taken without
-    cancellation; a dip of less than 4 u of the gap may count as none.
+    cancellation; a dip of less than 4 u of the gap may count as none. A gap beyond the doubles counts as the largest.
     """
+    gap = min(max(gap, -_LONGEST), _LONGEST)
     fall = sqrt(2.0 * abs(a)) * sqrt(
         abs(gap)
     )  # the speed (km/s) that a gains or loses over the gap
@@ -208,7 +223,7 @@ def falling_time(gap: float, v: float, a: float) -> float:
             return NEVER
         else:
             root = sqrt(-v - fall) * sqrt(fall - v)
-        return gap / (0.5 * root - 0.5 * v)
+        return gap / (root - v) * 2.0
     if a >= 0.0:
         return NEVER
     if gap >= 0.0:

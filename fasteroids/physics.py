@@ -29,6 +29,7 @@ __all__ = [
     "limit_speed",
     "sphere_mass",
     "thrust",
+    "unit",
     "wall_time",
     "with_component",
 ]
@@ -197,6 +198,17 @@ def distance(x: float, y: float) -> float:
         return inf
 
 
+def unit(x: float, y: float) -> tuple[float, float]:
+    """The unit vector along the finite (x, y), without overflow or underflow on the way; (0, 0) for (0, 0)."""
+    big = max(abs(x), abs(y))
+    if big == 0.0:
+        return 0.0, 0.0
+    scale = frexp(big)[1]
+    x, y = ldexp(x, -scale), ldexp(y, -scale)
+    root = sqrt(x * x + y * y)
+    return x / root, y / root
+
+
 def approaching(x: float, y: float, vx: float, vy: float) -> bool:
     """Does a relative velocity (km/s) shorten a relative position (km)? The sign of b, as computed.
 
@@ -330,10 +342,16 @@ def with_component(
 def thrust(
     vx: float, vy: float, ax: float, ay: float, dt: float, limit: float
 ) -> tuple[float, float, bool]:
-    """Velocity after `dt` s of acceleration (ax, ay) km/s^2, under the limit, and whether it was clipped (1.6)."""
+    """Velocity after `dt` s of acceleration (ax, ay) km/s^2, under the limit, and whether it was clipped (1.6).
+
+    Where a dt leaves the doubles it points along a.
+    """
     vx, vy = vx + ax * dt, vy + ay * dt
     if sqrt(vx * vx + vy * vy) <= limit:
         return vx, vy, False
+    if abs(vx) == inf or abs(vy) == inf:
+        ux, uy = unit(ax, ay)
+        vx, vy = ux * limit, uy * limit
     vx, vy = limit_speed(vx, vy, limit)
     return vx, vy, True
 

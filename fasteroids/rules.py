@@ -6,7 +6,8 @@ nor how a world takes a change over (see `fasteroids.state.replaced`).
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from functools import partial
 from math import cos, isfinite, sin, sqrt, ulp
 from typing import Literal, NamedTuple
 
@@ -17,7 +18,7 @@ from fasteroids.actions import Action, Fire, Skip, Thrust, ThrustOff, Ticked, Tu
 from fasteroids.entities import Asteroid, Bullet, Entity, Ship, id_of, moving
 from fasteroids.moments import Moment, between, resolution
 from fasteroids.overlap import Placed, depth, outside, own_bullet, slack
-from fasteroids.paths import Limited, Parabola, limit_time, to_limit
+from fasteroids.paths import Limited, Parabola, limit_time, reached, to_limit
 from fasteroids.pressing import LEAST_HOP, Mover, lift
 from fasteroids.state import Flight, World, describe, flight, located, path, placed, push
 from fasteroids.units import (
@@ -41,6 +42,7 @@ __all__ = [
     "fire",
     "kick",
     "limit",
+    "past_limit",
     "tick",
     "wall",
 ]
@@ -238,7 +240,7 @@ def _settled(v: float, a: float, radius: float, at: float, now: Moment) -> float
     coordinates there, `at`; or one of 2 v / a s that the clock does not resolve. At its speed limit a ship pressed
     obliquely against a wall hops ever lower, without end; the wall then bears the pressure (see `state.push`).
     """
-    if v * a >= 0.0:
+    if v == 0.0 or a == 0.0 or (v > 0.0) == (a > 0.0):
         return v
     least = max(LEAST_HOP * radius, ulp(at))
     hop = abs(v / a)
@@ -263,23 +265,28 @@ def kick(f: Flight, now: Moment) -> tuple[Flight, bool]:
 
 
 def limit(world: World, now: Moment, f: Flight) -> Change:
-    """A ship on a bent path reaches its speed limit at `now`, or leaves it because its thrust points inwards.
+    """A ship on a bent path reaches its speed limit at `now`, or leaves it because its thrust points inwards."""
+    effect = "leave" if type(f.path) is Limited else "reach"
+    return Change(effect, (past_limit(f, now, partial(push, world)),))
 
-    Reaching it sets the speed to the limit, as a wall sets a coordinate.
+
+def past_limit(f: Flight, now: Moment, pull: Callable[[Ship], tuple[float, float]]) -> Flight:
+    """The flight of a ship that reaches its speed limit at `now`, or leaves it; `pull` tells its acceleration (km/s^2).
+
+    Reaching it sets the speed to the limit, as a wall sets a coordinate. Once reached it is not left on this course.
     """
     e = f.entity
     assert isinstance(e, Ship)
     if type(f.path) is Limited:
-        return Change(
-            "leave", (flight(f.since, e, f.bounced_off, f.next_tick, Parabola(*push(world, e))),)
-        )
+        return flight(f.since, e, f.bounced_off, f.next_tick, Parabola(*pull(e)))
     assert type(f.path) is Parabola
     ax, ay = f.path.ax, f.path.ay
     t = limit_time(e.vx, e.vy, ax, ay, e.max_speed)
     here = located(f, now)
     vx, vy = to_limit(e.vx + ax * t, e.vy + ay * t, e.max_speed)
     e = moving(e, here.x, here.y, vx, vy)
-    return Change("reach", (flight(now, e, 0, f.next_tick, path(world, e)),))
+    bend = reached(vx, vy, *pull(e), e.max_speed)  # type: ignore[arg-type]
+    return flight(now, e, 0, f.next_tick, bend)
 
 
 # Actions.

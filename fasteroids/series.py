@@ -21,6 +21,7 @@ any later time is at most m! K sech q. Integrated twice from order P - 2, the te
 
 from __future__ import annotations
 
+from math import inf
 from typing import TypeAlias
 
 from fasteroids.paths import Limited, Path
@@ -78,9 +79,9 @@ def safe_time(gap: float, change: Series) -> float:
     """
     closing = [min(term, 0.0) for term in change[0]] + [-change[1]]
     alone = [(gap / -term) ** (1.0 / k) for k, term in enumerate(closing, 1) if term < 0.0]
-    if not alone:
-        return float("inf")
-    low, high = 0.0, min(alone)
+    low, high = 0.0, min(alone, default=inf)
+    if high == inf:
+        return inf
     for _ in range(8):
         t, total = 0.5 * (low + high), 0.0
         for term in reversed(closing):

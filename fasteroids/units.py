@@ -18,6 +18,7 @@ __all__ = [
     "BULLET_RADIUS",
     "BULLET_SPEED",
     "CHILD_SPEED_FACTOR",
+    "MAX_ACCELERATION",
     "MAX_BULLETS",
     "MAX_WORLD_SIZE",
     "SPEED_OF_LIGHT",
@@ -38,6 +39,13 @@ MAX_WORLD_SIZE: Final = sys.float_info.max
 
 THRUST: Final = 1.1e18
 """Force of the standard thruster, kg km/s^2: 1.1e21 N = 1.1e21 kg m/s^2 (1.2)."""
+
+MAX_ACCELERATION: Final = 2.0**1000
+"""Upper bound of what a thruster does to a ship, however small its mass, km/s^2. The one place to lower it.
+
+The size of an acceleration, sums of a few and products with a few seconds are then doubles. At this bound a ship
+is at the speed of light within 2^-981 s and 2^-964 km, so nobody can tell who does not look closer than that.
+"""
 
 ASTEROID_DENSITY: Final = 2.65e12
 """kg/km^3 (1.3)."""

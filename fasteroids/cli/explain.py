@@ -124,7 +124,7 @@ def advice(world: World) -> Advice:
     wanting = []
     if not extent < _FAR * sigma:
         wanting.append(
-            f"the world is {number(extent / sigma)} times as long as the smallest sum of radii "
+            f"the world is {_roughly(extent / sigma)} times as long as the smallest sum of radii "
             f"({number(sigma)} km); from {number(_FAR)} on, rounding in the formula of the text can turn a hit into "
             "a miss"
         )
@@ -143,7 +143,7 @@ def advice(world: World) -> Advice:
     return Advice(
         "spec",
         (
-            f"the world is {number(extent / sigma)} times as long as the smallest sum of radii, speeds and masses "
+            f"the world is {_roughly(extent / sigma)} times as long as the smallest sum of radii, speeds and masses "
             "are ordinary: the formula of the text decides all but grazing contacts right",
         ),
     )
@@ -158,23 +158,37 @@ def _speeds(entities: Iterable[Entity]) -> Iterable[float]:
 
 
 def thrust_rules(world: World) -> str:
-    """When the two rules of thrust will differ in this scene."""
+    """When the two rules of thrust will differ in this scene.
+
+    A thruster without power bends no path, but under `literal` its ship's flight is cut all the same.
+    """
     ships = [f.entity for f in world.all_flights().values() if type(f.entity) is Ship]
-    burning = [e for e in ships if e.thruster and e.thrust_power > 0.0]
+    on = [e for e in ships if e.thruster]
+    burning = [e for e in on if e.thrust_power > 0.0]
     able = [e for e in ships if e.program is not None and e.program.running]
     if burning:
         fastest = max(burning, key=lambda e: distance(*e.acceleration))
         late = 0.5 * distance(*fastest.acceleration) / TICKS_PER_SECOND
         return (
             f"literal and smooth differ from the start, since the thruster is on: {_named(burning)}. Cut every "
-            f"{1.0 / TICKS_PER_SECOND} s, literal leaves {label(fastest)} {number(late)} km behind for each second "
+            f"{1.0 / TICKS_PER_SECOND} s, literal leaves {label(fastest)} {_roughly(late)} km behind for each second "
             "below its speed limit, and every event anywhere moves its path; smooth flies it exactly"
+        )
+    if on:
+        return (
+            "literal and smooth differ by rounding alone until a thruster with power is switched on, since what is "
+            f"on has no power: {_named(on)}"
         )
     if able:
         return f"literal and smooth give the same bits until a program switches a thruster on: {_named(able)}"
     if ships:
         return "literal and smooth give the same bits until a player switches a thruster on"
     return "literal and smooth give the same bits: there is no ship to thrust"
+
+
+def _roughly(value: float) -> str:
+    """A number for people who want its size: two digits."""
+    return number(float(f"{value:.2g}"))
 
 
 def _named(entities: list[Entity] | list[Ship] | list[Bullet]) -> str:

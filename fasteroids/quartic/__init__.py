@@ -22,6 +22,8 @@ negating an axis or swapping the axes gives the same bits.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from fasteroids.quartic._exact import contact_time_exact as contact_time_exact
 from fasteroids.quartic._filter import contact_time_filtered as contact_time_filtered
 
@@ -31,9 +33,9 @@ __all__ = ["contact_time", "contact_time_exact", "contact_time_filtered"]
 def contact_time(
     xi: float, yi: float, vxi: float, vyi: float, axi: float, ayi: float, ri: float,
     xj: float, yj: float, vxj: float, vyj: float, axj: float, ayj: float, rj: float,
-    until: float, parted: bool,
+    until: float, parted: bool, exact: Callable[..., float] = contact_time_exact,
 ) -> float:  # fmt: skip
-    """Seconds until two discs touch or 0.0 or NEVER, as the module says: the filter, and what it leaves, exactly.
+    """Seconds until two discs touch or 0.0 or NEVER, as the module says: the filter, and what it leaves, `exact`.
 
     The class (hit or miss) is right for the doubles given, whatever they are; the time is off by at most
     ulp/2 + 16 u cond t, where cond t is the sum over the inputs z of |dt/dz| |z|.
@@ -43,6 +45,4 @@ def contact_time(
     )
     if t == t:
         return t
-    return contact_time_exact(
-        xi, yi, vxi, vyi, axi, ayi, ri, xj, yj, vxj, vyj, axj, ayj, rj, until, parted
-    )
+    return exact(xi, yi, vxi, vyi, axi, ayi, ri, xj, yj, vxj, vyj, axj, ayj, rj, until, parted)

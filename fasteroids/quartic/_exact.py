@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import struct
 from math import inf
+from sys import float_info
 
 from fasteroids.physics import NEVER
 from fasteroids.quartic._polynomials import (
@@ -35,6 +36,7 @@ def contact_time_exact(
     values = (xi, yi, vxi, vyi, axi, ayi, ri, xj, yj, vxj, vyj, axj, ayj, rj)
     if not all(-inf < value < inf for value in values):
         return NEVER
+    until = min(until, float_info.max)
     p = _polynomial(values, parted)
     slope = derivative(p)
     trend = sign_after(slope, 0, 0)
@@ -92,22 +94,32 @@ def _rounded(odd: Polynomial, number: int, until: float) -> float:
 def _bracket(chain: list[Polynomial], number: int, until: float) -> tuple[float, float] | None:
     """Neighbouring doubles (low, high] around the root of this number beyond 0; None if it is beyond `until`.
 
-    Halves the positions of doubles, not their values: 64 steps reach any of them.
+    Halves the positions of doubles, not their values: 64 steps reach any of them. The chain counts the roots up to
+    a time. Once one is left between the two ends the sign of the polynomial alone tells on which side it is: the
+    roots are simple, and it changes at each of them.
     """
     start = variations(chain, 0, 1)
 
-    def beyond(t: float) -> bool:
-        return start - variations(chain, *t.as_integer_ratio()) < number
+    def roots_up_to(t: float) -> int:
+        return start - variations(chain, *t.as_integer_ratio())
 
-    if beyond(until):
-        return None
     low, high = 0, _position(until)
+    below, above = 0, roots_up_to(until)
+    if above < number:
+        return None
+    first = sign_after(chain[0], 0, 0)
     while high - low > 1:
         middle = (low + high) // 2
-        if beyond(_double(middle)):
-            low = middle
+        t = _double(middle)
+        if above - below > 1:
+            count = roots_up_to(t)
         else:
-            high = middle
+            unchanged = sign_after(chain[0], *t.as_integer_ratio()) == first * (-1) ** below
+            count = below if unchanged else above
+        if count < number:
+            low, below = middle, count
+        else:
+            high, above = middle, count
     return _double(low), _double(high)
 
 

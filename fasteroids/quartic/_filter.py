@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from math import inf
+from math import frexp, inf, ldexp, sqrt
 
-from fasteroids.physics import NEVER, UNDECIDED
+from fasteroids.physics import NEVER, UNDECIDED, distance
 
 __all__ = ["contact_time_filtered"]
 
@@ -14,9 +14,11 @@ _SIGN_C = 16 * _U
 _SIGN_Q = 64 * _U
 _NOISE = 16 * _U
 _TINY = 2.0**-1000
-_SMALL = 2.0**-480
-_LONG = 2.0**200
+_SMALL, _LARGE = 2.0**-480, 2.0**480
+_SHORT, _LONG = 2.0**-200, 2.0**200
+_LEAST = 2.0**-1022  # the smallest normal double
 _PIECES = 128  # a contact is found in a handful; more only for roots closer than rounding can tell
+_HALVINGS = 2.0**_PIECES  # a time shorter than `until` by more is not reached
 
 
 def contact_time_filtered(
@@ -31,6 +33,7 @@ def contact_time_filtered(
     The sign of b = r.v is proven beyond 8 u (|x vx| + |y vy|), see `physics.contact_time_filtered`.
     Underflow: s^2 >= 2^-480 and until <= 2^200 keep every product lost to it (2^-1074, times t^2 at most) far
     below u s, hence in the share of s in each bound. Overflow makes a bound infinite or nan and comparisons fail.
+    Where s or until is out of range, `_rescaled` asks the same in other units of length and time.
     """
     x = xj - xi
     y = yj - yi
@@ -40,8 +43,8 @@ def contact_time_filtered(
     hy = 0.5 * (ayj - ayi)
     s = ri + rj
     ss = s * s
-    if not (ss >= _SMALL and until <= _LONG):
-        return UNDECIDED
+    if not (_SMALL <= ss <= _LARGE and (_SHORT <= until <= _LONG or until == 0.0)):
+        return _rescaled(x, y, vx, vy, axj - axi, ayj - ayi, s, until, parted)
     rr = x * x + y * y
     c = rr - ss
     error = _SIGN_C * (rr + ss)
@@ -56,6 +59,53 @@ def contact_time_filtered(
     if b < -error_b and c < -error and not parted and abs(hx) + abs(hy) < inf:
         return 0.0
     return UNDECIDED
+
+
+def _rescaled(
+    x: float, y: float, vx: float, vy: float, ax: float, ay: float,
+    s: float, until: float, parted: bool,
+) -> float:  # fmt: skip
+    """The same in units of length and time in which s and `until` lie between 1/2 and 1.
+
+    Scaling by powers of two is exact and gives the same bits in any units; where it is not exact, the answer is
+    UNDECIDED. So is a time below the normal doubles, which the way back would round, perhaps to 0.0.
+    """
+    escape = _escape(x, y, vx, vy, ax, ay, s)
+    if until > _HALVINGS * escape > 0.0:
+        until = escape
+    if not (0.0 < s < inf and 0.0 <= until < inf):
+        return UNDECIDED
+    length, time = frexp(s)[1], frexp(until)[1]
+    scaled = []
+    try:
+        for value, power in ((x, 0), (y, 0), (vx, 1), (vy, 1), (ax, 2), (ay, 2), (s, 0)):
+            scaled.append(ldexp(value, power * time - length))
+            if ldexp(scaled[-1], length - power * time) != value:
+                return UNDECIDED
+    except OverflowError:
+        return UNDECIDED
+    x, y, vx, vy, ax, ay, s = scaled
+    until = ldexp(until, -time)
+    t = contact_time_filtered(
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x, y, vx, vy, ax, ay, s, until, parted
+    )
+    if t == 0.0 or t == NEVER:
+        return t
+    t = ldexp(t, time)
+    return t if t >= _LEAST else UNDECIDED
+
+
+def _escape(x: float, y: float, vx: float, vy: float, ax: float, ay: float, s: float) -> float:
+    """A time (s) from which on p > 0 for good; infinite if none is known.
+
+    |R| >= |a| t^2 / 2 - |v| t - |r|. From 4 |v| / |a| on the second is at most half of the first, and from
+    sqrt(8 (|r| + s) / |a|) on what is left, |a| t^2 / 4, is at least 2 (|r| + s), so |R| > s. Without acceleration
+    |v| t >= 2 (|r| + s) does. The factor 2 covers the rounding. `parted` only makes p larger.
+    """
+    reach, speed, pull = distance(x, y) + s, distance(vx, vy), distance(ax, ay)
+    if pull > 0.0:
+        return 2.0 * max(4.0 * (speed / pull), sqrt(8.0) * sqrt(reach) / sqrt(pull))
+    return 4.0 * (reach / speed) if speed > 0.0 else inf
 
 
 def _rising(x: float, y: float, vx: float, vy: float, hx: float, hy: float, t: float) -> float:
@@ -200,14 +250,15 @@ def _root(motion: _Motion, low: float, high: float) -> float:
 
     It stops where the value is within its error F, and one last step leaves at most F / |p'| and the curvature:
     F^2 |p''| / (2 |p'|^3). The time is accepted if 64 F |p''| <= |p'|^2, which makes that 1/128 of F / |p'| and
-    keeps p' steady across the error; F itself is at least twice what `_measure` derives.
+    keeps p' steady across the error; F itself is at least twice what `_measure` derives. Where |p'|^2 is beyond the
+    doubles, so is what it is compared with, perhaps.
     """
     t = 0.5 * (low + high)
     lowest, highest = low, high
     for _ in range(_PIECES):
         value, slope, noise, bend = _measure(motion, t)
         if abs(value) <= noise:
-            if not 64.0 * noise * bend <= slope * slope:
+            if not 64.0 * noise * bend <= slope * slope < inf:
                 return UNDECIDED
             t -= value / slope
             return min(max(t, lowest), highest)

@@ -14,11 +14,12 @@ from typing import Final
 from attrs import NOTHING, fields
 
 from fasteroids import models
-from fasteroids.engine import WALLS, Engine
+from fasteroids.courses import LIMIT, WALLS, course
+from fasteroids.engine import Engine
 from fasteroids.entities import Asteroid, Bullet, Entity, Ship, moving
 from fasteroids.moments import ORIGIN, START, moment_at, resolution, seconds
 from fasteroids.overlap import Placed, depth, own_bullet, slack
-from fasteroids.paths import Parabola
+from fasteroids.paths import Limited, Parabola
 from fasteroids.scene._draft import Draft, Member, drafted
 from fasteroids.scene._field import MOST_TRIES, scattered
 from fasteroids.scene._table import Faults, Table
@@ -58,7 +59,7 @@ def load_scene(text: str, *, seed: int | None = None, model: str | None = None) 
         document["world"] |= {name: value for name, value in chosen.items() if value is not None}
     faults = Faults(text)
     draft = drafted(document, faults)
-    flights = [_flight(member, draft.world) for member in draft.members]
+    flights = [_flight(member, draft.world, faults) for member in draft.members]
     world = replaced(draft.world, draft.world.clock, (), flights, (), draft.next_id)
     here = [Placed(e, _margin(e, world)) for e in (located(f, world.now) for f in flights)]
     _check_room(draft, here, faults)
@@ -68,13 +69,22 @@ def load_scene(text: str, *, seed: int | None = None, model: str | None = None) 
     return _with_fields(draft, world, [p.entity for p in here], faults)
 
 
-def _flight(member: Member, world: World) -> Flight:
+def _flight(member: Member, world: World, faults: Faults) -> Flight:
+    """The flight of an entity; a fault if it is said to be `slowing` under `smooth` and does not leave its limit."""
     since = world.now if member.since is None else member.since
     e = member.entity
-    bend = path(world, e)
-    if member.slowing and bend is not None and isinstance(e, Ship):
-        bend = Parabola(*push(world, e))
-    return flight(since, e, member.bounced_off, None, bend)
+    f = flight(since, e, member.bounced_off, None, path(world, e))
+    if not member.slowing or models.named(world.model).thrust != "smooth":
+        return f
+    if isinstance(f.path, Limited) and course(f, world.width, world.height).rank == LIMIT:
+        assert isinstance(e, Ship)
+        return flight(since, e, member.bounced_off, None, Parabola(*push(world, e)))
+    faults.add(
+        member.table,
+        "is for a ship at its speed limit whose thruster is on and points against its velocity",
+        "slowing",
+    )
+    return f
 
 
 # Room and past.
@@ -156,7 +166,8 @@ def _overlaps(here: Iterable[Placed]) -> Iterator[tuple[Entity, Entity]]:
 def _check_past(draft: Draft, world: World, faults: Faults) -> None:
     """Faults for flights that something should have ended before the time of the world.
 
-    A flight is straight to the clock, so such a file left an event out, and time would run backwards.
+    Nothing happens on a flight between its start and the clock but its own path, straight or bent. So such a
+    file left an event out, and time would run backwards.
     """
     if all(member.since in (None, world.now) for member in draft.members):
         return
@@ -168,10 +179,15 @@ def _check_past(draft: Draft, world: World, faults: Faults) -> None:
         if (rank, low, high) in seen:  # both of a pair may know it
             continue
         seen.add((rank, low, high))
-        met = f"the {WALLS[rank]} wall" if rank in WALLS else members[high].table.label
+        if rank == LIMIT:
+            met = f"{'leaves' if isinstance(due[8].path, Limited) else 'reaches'} its speed limit"
+        else:
+            met = (
+                f"meets {f'the {WALLS[rank]} wall' if rank in WALLS else members[high].table.label}"
+            )
         faults.add(
             members[low].table,
-            f"its flight meets {met} at {seconds(*due[:2])!r} s, before the time of the world; "
+            f"its flight {met} at {seconds(*due[:2])!r} s, before the time of the world; "
             "a flight begins after the last event",
             "since",
         )

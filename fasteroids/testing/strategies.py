@@ -8,7 +8,8 @@ discs, simple numbers and rest. A `flavour` says what makes a world hard:
 ``corners``   diagonal flights that reach two walls at once;
 ``twins``     a world and its mirror image, so that events come in pairs at one moment;
 ``squeeze``   head-on in one row, with masses far apart;
-``extreme``   lengths from 1e-150 to 1e150 km, masses from 1e-290 to 1e290 kg, speeds to the limit.
+``extreme``   lengths from 1e-150 to 1e150 km, masses from 1e-290 to 1e290 kg, speeds to the limit, and
+              thrusters from 1e-308 to 1e307 kg km/s^2.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ from fasteroids.actions import Action, Fire, Skip, Thrust, ThrustOff, Turn
 from fasteroids.entities import Asteroid, Bullet, Entity, Ship
 from fasteroids.state import World
 from fasteroids.testing.scripts import Script
-from fasteroids.units import SPEED_OF_LIGHT
+from fasteroids.units import SPEED_OF_LIGHT, THRUST
 
 __all__ = ["FLAVOURS", "actions", "discs", "formations", "pairs", "scripts", "worlds"]
 
@@ -58,11 +59,19 @@ def scripts(*, thrust: bool = True) -> st.SearchStrategy[Script]:
 
 
 class _Scale(NamedTuple):
-    """Factors for lengths (km) and speeds (km/s), and the exponents of ships' masses."""
+    """Factors for lengths (km) and speeds (km/s), the exponents of ships' masses and, if not usual, thrusts."""
 
     length: float
     speed: float
     masses: tuple[int, int]
+    thrusts: tuple[int, int] | None
+
+
+def _thrusts(exponents: tuple[int, int] | None) -> st.SearchStrategy[float]:
+    """The usual thrust, or in extreme worlds also any other."""
+    if exponents is None:
+        return st.just(THRUST)
+    return st.one_of(st.just(THRUST), st.integers(*exponents).map(lambda e: 10.0**e))
 
 
 def _scales(flavour: str) -> st.SearchStrategy[_Scale]:
@@ -72,11 +81,12 @@ def _scales(flavour: str) -> st.SearchStrategy[_Scale]:
             st.integers(-498, 490).map(lambda e: 2.0**e),
             st.one_of(st.just(SPEED_OF_LIGHT), st.integers(-30, 5).map(lambda e: 10.0**e)),
             st.just((-290, 290)),
+            st.just((-308, 307)),
         )
     speeds = st.sampled_from([64.0, 1.0, 1024.0, SPEED_OF_LIGHT])
     lengths = st.sampled_from([1.0, 0.3, 17.0])
     wide = flavour == "squeeze"
-    return st.builds(_Scale, lengths, speeds, st.just((-8, 8) if wide else (14, 16)))
+    return st.builds(_Scale, lengths, speeds, st.just((-8, 8) if wide else (14, 16)), st.none())
 
 
 @st.composite
@@ -139,7 +149,7 @@ def _entity(
         v = u if draw(st.booleans()) else -u
     if flavour == "squeeze":
         v = 0.0
-    length, speed, _ = scale
+    length, speed, _, _ = scale
     moving = (x * length, y * length, u * speed, v * speed, radius * length)
     limit = draw(
         st.sampled_from([SPEED_OF_LIGHT, SPEED_OF_LIGHT, min(1.5 * speed, SPEED_OF_LIGHT)])
@@ -157,6 +167,7 @@ def _entity(
         thruster=thrusters and draw(st.booleans()),
         program=draw(st.one_of(st.none(), scripts(thrust=thrusters))) if programs else None,
         max_speed=limit,
+        thrust_power=draw(_thrusts(scale.thrusts)),
     )
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import inf, nextafter
+
 from attrs import evolve as with_fields
 from hypothesis import given
 from hypothesis import strategies as st
@@ -11,6 +13,7 @@ from fasteroids.actions import Action
 from fasteroids.moments import between, clock_at
 from fasteroids.overlap import depth, overhang
 from fasteroids.scene import Problem, SceneError, dump_scene, load_scene
+from fasteroids.state import replaced
 from fasteroids.testing import actions, unfold, worlds
 from tests.properties.laws import EVENTS, same, world_law
 
@@ -169,6 +172,47 @@ TEXTS = st.one_of(
 
 @given(TEXTS)
 def test_any_text_is_a_world_or_a_list_of_problems(text: str) -> None:
+    check_text(text)
+
+
+OTHER = st.sampled_from(
+    ["0.0", "-1.0", "1e-300", "1e-160", "1e-10", "1e160", "1.7e308", "nan", "-inf", "300000.0"]
+)
+"""Numbers that a file may have in the place of those it has."""
+
+
+@world_law
+@given(worlds(min_size=1, thrusters=True, model="smooth"), st.integers(0, 9), st.data())
+def test_other_numbers_are_a_world_or_a_list_of_problems(
+    world: World, events: int, data: st.DataObject
+) -> None:
+    """A few numbers of a file changed, or a ship said to leave its limit."""
+    lines = dump_scene(unfold(world, events=events).end).split("\n")
+    numbers = [i for i, line in enumerate(lines) if " = " in line]
+    for i in data.draw(st.lists(st.sampled_from(numbers), max_size=2)):
+        lines[i] = f"{lines[i].partition(' = ')[0]} = {data.draw(OTHER)}"
+    if "[[ship]]" in lines and data.draw(st.booleans()):
+        lines.insert(lines.index("[[ship]]") + 1, "slowing = true")
+    check_text("\n".join(lines))
+
+
+@world_law
+@given(worlds(min_size=1, thrusters=True, model="smooth"), st.integers(0, EVENTS))
+def test_a_scene_that_leaves_out_an_event_is_refused(world: World, events: int) -> None:
+    """The flights from before an event, with the time of it, and with the first time after it."""
+    world = unfold(world, events=events).end
+    run = unfold(world, events=1)
+    for after, time in zip(run.worlds, run.times, strict=True):
+        due, late = (
+            dump_scene(replaced(world, clock, (), (), ()))
+            for clock in ((*after.now, 0.0), clock_at(nextafter(time, inf)))
+        )
+        assert tried(due)[1] == ()
+        assert tried(late)[0] is None
+
+
+def check_text(text: str) -> None:
+    """A text is a world, which is written and read back, or each of its problems is told on a line of it."""
     world, problems, message = tried(text)
     if world is None:
         assert problems

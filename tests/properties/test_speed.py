@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
-from math import sqrt
+from math import isfinite, sqrt
 
 from hypothesis import given
 from hypothesis import strategies as st
 
 from fasteroids import Asteroid, Bullet, Ship, World
 from fasteroids.physics import limit_contact, limit_speed
-from fasteroids.testing import keeping, unfold
+from fasteroids.state import located
+from fasteroids.testing import keeping, unfold, worlds
 from fasteroids.units import SPEED_OF_LIGHT
 from tests.properties.laws import BURNING, EVENTS, world_law
 
 limits = st.one_of(st.floats(0.0, SPEED_OF_LIGHT), st.just(SPEED_OF_LIGHT))
 anything = st.floats()
+EXTREME = st.sampled_from(["robust", "smooth"]).flatmap(
+    lambda model: worlds(flavours=("extreme",), min_size=1, thrusters=True, model=model)
+)
 finite = st.floats(allow_nan=False, allow_infinity=False)
 speeds = st.floats(-6e5, 6e5)
 
@@ -22,11 +26,24 @@ speeds = st.floats(-6e5, 6e5)
 @world_law
 @given(BURNING)
 def test_L8_speed(world: World) -> None:
-    with keeping("L8_speed", world):
+    check_speeds("L8_speed", world)
+
+
+@world_law
+@given(EXTREME)
+def test_L8_speed_under_any_thrust(world: World) -> None:
+    check_speeds("L8_speed_under_any_thrust", world)
+
+
+def check_speeds(law: str, world: World) -> None:
+    """Nothing is faster than its limit, and all numbers are numbers."""
+    with keeping(law, world):
         for after in unfold(world, events=EVENTS).worlds:
             for f in after.all_flights().values():
-                e = f.entity
-                assert sqrt(e.vx * e.vx + e.vy * e.vy) <= e.max_speed <= SPEED_OF_LIGHT
+                for e in (f.entity, located(f, after.now)):
+                    assert sqrt(e.vx * e.vx + e.vy * e.vy) <= e.max_speed <= SPEED_OF_LIGHT
+                    assert isfinite(e.x)
+                    assert isfinite(e.y)
 
 
 @given(anything, anything, limits)

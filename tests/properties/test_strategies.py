@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from math import isinf
+from math import inf, isinf
 from pathlib import Path
 
 import pytest
@@ -107,6 +107,8 @@ def test_worlds_go_to_extremes() -> None:
     )
     exists(some, lambda w: any(e.speed > 0.99 * SPEED_OF_LIGHT for e in w.entities.values()))
     exists(some, lambda w: any(h.kind == "contact" for h in unfold(w, events=10).log))
+    exists(some, lambda w: any(s.thrust_power / s.mass == inf for s in w.ships))
+    exists(some, lambda w: any(s.thrust_power / s.mass < 1e-300 for s in w.ships))
 
 
 def test_worlds_clip_split_fire_and_thrust() -> None:

@@ -337,6 +337,23 @@ def test_on_a_parabola_the_closed_form_is_found(gap: float, v: float, a: float) 
     assert abs(t - want) * slope <= 64.0 * U * way + 1e-290
 
 
+# Lengths near the end of the doubles.
+
+
+def test_far_apart_is_no_contact_though_the_sum_of_the_coordinates_is_no_double() -> None:
+    away = limited(3e5, 0.0, 1.0, 0.0, 3e5)
+    back = limited(-3e5, 0.0, -1.0, 0.0, 3e5)
+    i: Disc = (8e307, 8e307, 3e5, 0.0, away, 1e300)
+    j: Disc = (1.6e308, 8e307, -3e5, 0.0, back, 1e300)
+    assert contact_time(*i, *j, inf, parted=False) == pytest.approx(8e307 / 6e5, rel=1e-6)
+
+
+def test_far_from_a_wall_is_not_at_it_though_the_sum_of_the_coordinates_is_no_double() -> None:
+    path = limited(3e5, 0.0, 1.0, 0.0, 3e5)
+    t = wall_time(path, 1.6e308, 5.0, 3e5, 0.0, -1.0, 0.0, -1.7e308)
+    assert t == pytest.approx(1e307 / 3e5, rel=1e-12)
+
+
 # The step.
 
 

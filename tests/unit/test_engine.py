@@ -304,6 +304,15 @@ def test_hostile_runs_ask_the_exact_formula() -> None:
     assert len(evolve_until(world, 9.0)) == 6
 
 
+def test_bent_contacts_that_need_exact_arithmetic_are_counted() -> None:
+    """Two ships of one thrust, one of which passes the other exactly tangent."""
+    still = Ship(500, 500, 0, 0, 10, 1e18, 0.0, thruster=True)
+    passing = Ship(300, 520, 100, 0, 10, 1e18, 0.0, thruster=True)
+    engine = Engine(World(1000, 1000, model="smooth").add_all([still, passing]))
+    assert engine.undecided >= 1
+    assert engine.undecided <= engine.asked
+
+
 def test_thrusters_are_the_slots_of_ships_that_thrust() -> None:
     world = World(1000, 1000).add_all(
         [Asteroid(500, 500, 0, 0, 10), Ship(100, 100, 0, 0, 10, 1e30, 0)]
@@ -327,3 +336,10 @@ def test_the_queue_stays_in_proportion_to_the_living() -> None:
         assert engine is not None
         worst = max(worst, len(engine._heap))
     assert worst <= 20 * 50
+
+
+def test_a_ship_too_slow_for_its_world_never_leaves_its_cell() -> None:
+    rocks = [Asteroid(5e78 * (i + 0.5), 9e79, 0.0, 0.0, 1e78) for i in range(GRID_FROM)]
+    ship = Ship(5.1e79, 5e79, 0.0, 0.0, 1e78, 5e15, 0.0, thruster=True, max_speed=1e-240)
+    world = World(1e80, 1e80, model="smooth").add_all([*rocks, ship])
+    assert [h.effect for h, _ in happenings(world, 1.0)] == ["reach"]

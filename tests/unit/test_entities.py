@@ -17,7 +17,15 @@ from attrs.exceptions import FrozenInstanceError
 from fasteroids import Asteroid, Bullet, ModelError, Ship
 from fasteroids.actions import Ticked
 from fasteroids.entities import moving, wrapped
-from fasteroids.units import ASTEROID_DENSITY, BULLET_DENSITY, SPEED_OF_LIGHT, THRUST
+from fasteroids.physics import distance
+from fasteroids.units import (
+    ASTEROID_DENSITY,
+    BULLET_DENSITY,
+    MAX_ACCELERATION,
+    SPEED_OF_LIGHT,
+    THRUST,
+)
+from tests.unit.making import MAX, U
 
 HUGE = 10**400
 NO_NUMBERS: list[Any] = ["1", "", None, True, False, [], 1j, b"1", object]
@@ -331,10 +339,12 @@ def test_acceleration_with_the_thruster_off_or_powerless_is_nought() -> None:
     assert ship(thruster=True, thrust_power=0.0).acceleration == (0.0, 0.0)
 
 
-def test_acceleration_of_a_feather_is_finite() -> None:
-    ax, ay = ship(mass=5e-324, direction=0.0, thruster=True).acceleration
-    assert 0.0 < ax < inf
-    assert ay == 0.0
+@pytest.mark.parametrize("power", [1.0, THRUST, MAX])
+def test_acceleration_of_a_feather_has_a_bound(power: float) -> None:
+    feather = ship(mass=5e-324, direction=0.0, thruster=True, thrust_power=power)
+    assert feather.acceleration == (MAX_ACCELERATION, 0.0)
+    ax, ay = feather.turn(0.7).acceleration
+    assert distance(ax, ay) == pytest.approx(MAX_ACCELERATION, rel=4 * float(U))
 
 
 # Values.

@@ -5,10 +5,11 @@ from __future__ import annotations
 import copy
 import pickle
 from collections.abc import Generator
-from math import inf, nan, nextafter, ulp
+from math import inf, log, nan, nextafter, pi, sqrt, ulp
 from typing import Any
 
 import pytest
+from attrs import evolve as with_
 from attrs.exceptions import FrozenInstanceError
 
 import fasteroids
@@ -33,6 +34,8 @@ from fasteroids import (
     time_to_wall,
 )
 from fasteroids.events import storm_limit
+from tests.unit import making
+from tests.unit.making import MAX
 
 BAD_TIMES: list[Any] = [nan, inf, -inf, -1.0, -5e-324, None, "soon", [], 10**5000, 1j]
 
@@ -337,6 +340,95 @@ def test_time_to_contact_by_model() -> None:
         time_to_contact(a, b, model="wrong")
 
 
+# under smooth: thrusters of 256 km/s^2
+
+
+def burner(x: float, y: float, vx: float = 0.0, vy: float = 0.0, **fields: Any) -> Ship:
+    return making.ship(x, y, vx, vy, thruster=True, **fields)
+
+
+def smooth_contact(a: Any, b: Any) -> float:
+    t = time_to_contact(a, b, model="smooth")
+    assert time_to_contact(b, a, model="smooth") == t
+    return t
+
+
+def test_time_to_contact_along_a_parabola() -> None:
+    a, b = burner(100, 500), rock(258, 500)  # 128 km apart
+    assert smooth_contact(a, b) == 1.0
+    assert time_to_contact(a, b) == time_to_contact(a, b, model="spec") == inf
+
+
+def test_time_to_contact_beyond_the_limit() -> None:
+    """128 km/s after half a second and 32 km; 96 km more take 0.75 s."""
+    assert smooth_contact(burner(100, 500, max_speed=128.0), rock(258, 500)) == 1.25
+
+
+def test_time_to_contact_when_both_reach_their_limits() -> None:
+    """192 km apart: 32 + 32 in half a second, 40 + 32 in the quarter after it, and 56 at 192 + 128 km/s."""
+    slow = burner(320, 500, direction=pi, max_speed=128.0)
+    fast = burner(108, 500, max_speed=192.0)
+    assert smooth_contact(fast, slow) == pytest.approx(0.5 + 0.25 + 56.0 / 320.0, rel=1e-15)
+
+
+def test_time_to_contact_beyond_leaving_and_reaching_the_limit() -> None:
+    """At full speed away from the rock, thrust towards it: back after a second at full speed, 64 km to go."""
+    a = burner(500, 500, 128.0, direction=pi, max_speed=128.0)
+    assert smooth_contact(a, rock(406, 500)) == pytest.approx(1.5, rel=1e-15)
+
+
+def test_time_to_contact_while_turning_at_the_limit() -> None:
+    """From across its thrust it flies (c / w) ln cosh w t along, and nears (c / w) pi / 2 across, where the rock is."""
+    a = burner(100, 500, 0.0, 256.0, max_speed=256.0)
+    b = rock(100 + 40 * 256, 500 + 128 * pi)
+    assert smooth_contact(a, b) == pytest.approx(40.0 - 30.0 / 256.0 + log(2.0), rel=1e-12)
+
+
+def test_time_to_contact_of_two_that_accelerate_alike() -> None:
+    """Against each other they fly straight, below the limit and at it."""
+    assert smooth_contact(burner(100, 500, 64, 0), burner(184, 500)) == 1.0
+    a, b = (burner(x, 500, max_speed=256.0) for x in (100, 200))
+    assert smooth_contact(a, b) == inf
+    a, b = (burner(x, 500, 256.0, 0.0, max_speed=256.0) for x in (100, 200))
+    assert smooth_contact(a, b) == inf
+    a, b = (burner(x, 500, 0.0, 256.0, max_speed=256.0) for x in (100, 200))
+    assert smooth_contact(a, b) == inf
+    a, b = burner(100, 500, 256.0, 0.0, max_speed=256.0), burner(220, 500, max_speed=256.0)
+    assert smooth_contact(a, b) == pytest.approx(1.0 - sqrt(1.0 - 100.0 / 128.0), rel=1e-15)
+
+
+def test_time_to_contact_with_the_thruster_off_is_straight() -> None:
+    for a, b in (
+        (ship(100, 500, 60, 0), ship(300, 510)),
+        (rock(0, 3, 7, 0), ship(99, 0, thruster=False)),
+    ):
+        assert smooth_contact(a, b) == time_to_contact(a, b)
+
+
+def test_time_to_contact_knows_no_wall() -> None:
+    """A ship that leans on a wall is taken to leave through it; so is one that would bounce."""
+    assert smooth_contact(burner(990, 500), rock(1148, 500)) == 1.0
+
+
+def test_time_to_contact_of_a_burning_ship_and_its_bullet_is_never() -> None:
+    mine, bullet = burner(100, 500, id=1), Bullet(300, 500, 0, 0, 3, 1, id=3)
+    assert smooth_contact(mine, bullet) == inf
+    assert smooth_contact(with_(mine, id=2), bullet) < inf
+
+
+def test_time_to_contact_overlapping_under_thrust() -> None:
+    assert smooth_contact(burner(100, 500, 1, 0), ship(105, 500)) == 0.0
+    assert smooth_contact(burner(100, 500), ship(105, 500)) == 0.0
+    assert smooth_contact(burner(105, 500), ship(100, 500)) == inf
+
+
+def test_time_to_contact_beyond_all_times_is_never() -> None:
+    """It reaches 1e-10 km/s after 1e307 s and 5e296 km; what is left takes 1.5e308 s, or more than there are."""
+    a = making.ship(0, 0, mass=1.0, thrust_power=1e-317, max_speed=1e-10, thruster=True)
+    assert smooth_contact(a, rock(1.55e298, 0)) == pytest.approx(1.6e308, rel=1e-2)
+    assert smooth_contact(a, rock(2.5e298, 0)) == inf
+
+
 @pytest.mark.parametrize("bad", [None, 3, "ship", (0, 0)], ids=repr)
 def test_time_to_contact_of_no_entity_is_refused(bad: Any) -> None:
     with pytest.raises(ModelError):
@@ -365,6 +457,63 @@ def test_time_to_contact_of_no_entity_is_refused(bad: Any) -> None:
 )
 def test_time_to_wall(entity: Ship, answer: tuple[float, tuple[str, ...]]) -> None:
     assert time_to_wall(entity, World(1000, 1000)) == answer
+
+
+@pytest.mark.parametrize(
+    ("entity", "answer"),
+    [
+        (burner(862, 500), (1.0, ("right",))),  # 128 km to go at 256 km/s^2
+        (burner(862, 500, max_speed=128.0), (1.25, ("right",))),
+        (burner(926, 926, 0, 64, mass=2.0 * making.STRONG), (1.0, ("right", "top"))),
+        (burner(122, 500, -256, 0), (1.0 - sqrt(1 / 8), ("left",))),
+        (
+            burner(139, 500, -256, 0),
+            (1.0 + sqrt(979 / 128), ("right",)),
+        ),  # it turns 1 km from the left
+        (burner(10, 500, -128, 0, direction=0.0), (0.0, ("left",))),
+        (burner(862, 500, 0, 245, thrust_power=0.0), (2.0, ("top",))),
+        (burner(862, 500, thrust_power=0.0), (inf, ())),
+        (burner(990, 500), (inf, ())),  # it leans there
+        (burner(990, 500, 0, 49), (10.0, ("top",))),  # and slides along
+        (burner(990, 500, 0, 49, max_speed=49.0), (10.0, ("top",))),
+        (burner(990, 500, -128, 0), (1.0, ("right",))),
+    ],
+)
+def test_time_to_wall_along_a_bent_path(
+    entity: Ship, answer: tuple[float, tuple[str, ...]]
+) -> None:
+    time, walls = time_to_wall(entity, World(1000, 1000, model="smooth"))
+    assert time == pytest.approx(answer[0], rel=1e-15)
+    assert walls == answer[1]
+
+
+def test_time_to_wall_beyond_leaving_and_reaching_the_limit() -> None:
+    """Thrust back from full speed: back in place after a second, and 490 km at 128 km/s more."""
+    outwards = burner(500, 500, 128.0, direction=pi, max_speed=128.0)
+    time, walls = time_to_wall(outwards, World(1000, 1000, model="smooth"))
+    assert time == pytest.approx(1.0 + 490.0 / 128.0, rel=1e-15)
+    assert walls == ("left",)
+
+
+def test_time_to_wall_knows_no_thrust_where_the_rule_is_literal() -> None:
+    assert time_to_wall(burner(862, 500), World(1000, 1000)) == (inf, ())
+    assert time_to_wall(burner(862, 500, 32, 0), World(1000, 1000)) == (4.0, ("right",))
+
+
+def test_time_to_wall_of_a_ship_that_is_not_there() -> None:
+    """It need not be in the world, nor inside it."""
+    world = World(1000, 1000, model="smooth")
+    for x in (-MAX, -50.0, 5.0, 995.0, 2000.0, MAX):
+        for v in (-64.0, 0.0, 64.0):
+            for limit in (64.0, 300_000.0):
+                assert time_to_wall(burner(x, 500, v, 0, max_speed=limit), world)[0] >= 0.0
+
+
+@pytest.mark.parametrize("bad", [None, 3, "ship", (0, 0)], ids=repr)
+def test_time_to_wall_of_no_entity_is_refused(bad: Any) -> None:
+    for model in ("robust", "smooth"):
+        with pytest.raises(ModelError, match="what meets a wall"):
+            time_to_wall(bad, World(1000, 1000, model=model))
 
 
 # bounce

@@ -16,10 +16,12 @@ from fasteroids.paths import (
     limit_time,
     limited,
     path_of,
+    reached,
     to_limit,
 )
 from fasteroids.physics import NEVER
-from tests.unit.making import U
+from fasteroids.units import MAX_ACCELERATION
+from tests.unit.making import SUBNORMAL, U
 
 LIGHT = 300_000.0
 PUSH = 220.0
@@ -238,7 +240,38 @@ def test_without_thrust_or_with_no_speed_allowed_the_path_is_straight() -> None:
     assert path_of(0.0, 0.0, 1.0, 0.0, 0.0) == Parabola(0.0, 0.0)
 
 
+# Thrusts at the ends of the doubles.
+
+
+@pytest.mark.parametrize("power", [SUBNORMAL, 2.0**-1060, MAX_ACCELERATION])
+@pytest.mark.parametrize("speed", [SUBNORMAL, 2.0**-1060, LIGHT])
+def test_a_limited_path_has_unit_vectors_whatever_its_numbers(power: float, speed: float) -> None:
+    path = limited(speed, speed, power, -power, speed)
+    assert (path.ux, path.uy) == pytest.approx((sqrt(0.5), -sqrt(0.5)))
+    assert path.half == pytest.approx(1.0)
+    x, y, vx, vy = path.after(0.0, 0.0, speed, speed, 2.0)
+    assert hypot(x, y) <= 2.0 * speed * (1.0 + 8.0 * U)
+    assert hypot(vx, vy) <= speed * (1.0 + 8.0 * U) + 2.0 * SUBNORMAL
+
+
+def test_a_reached_limit_is_not_left() -> None:
+    """Of a subnormal velocity rounding turns the direction: (1, 1) units may stand for (2, 1)."""
+    path = reached(2.0 * SUBNORMAL, 2.0 * SUBNORMAL, 1.0, -1.5, 2.0 * SUBNORMAL)
+    assert isinstance(path, Limited)
+    assert path.half == 1.0
+    assert reached(3.0, 4.0, -4.0, 3.0, 5.0) == limited(3.0, 4.0, -4.0, 3.0, 5.0)
+    assert reached(3.0, 4.0, 0.0, 0.0, 5.0) == Parabola(0.0, 0.0)
+
+
 # Falling.
+
+
+@pytest.mark.parametrize("gap", [0.0, 5e-324, 1.0, 1e308, inf, -1e-300, -1.0, -inf])
+@pytest.mark.parametrize("v", [0.0, 1e-300, 1.0, LIGHT, -1e-300, -LIGHT])
+@pytest.mark.parametrize("a", [0.0, 5e-324, 1.0, MAX_ACCELERATION])
+def test_falling_times_are_never_nan(gap: float, v: float, a: float) -> None:
+    assert falling_time(gap, v, a) >= 0.0
+    assert falling_time(gap, v, -a) >= 0.0
 
 
 def test_what_is_thrown_up_comes_back_after_2_v_by_a() -> None:

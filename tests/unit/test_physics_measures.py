@@ -9,7 +9,7 @@ from math import ulp as spacing
 
 import pytest
 
-from fasteroids.physics import approaching, distance, sphere_mass
+from fasteroids.physics import approaching, distance, sphere_mass, unit
 from fasteroids.units import ASTEROID_DENSITY, BULLET_DENSITY
 from tests.unit.making import MAX, SUBNORMAL, U
 
@@ -75,3 +75,19 @@ def test_distance(x: float, y: float, length: float) -> None:
 def test_distance_of_what_is_no_number_is_none() -> None:
     assert isnan(distance(nan, 1.0))
     assert isnan(distance(1.0, nan))
+
+
+@pytest.mark.parametrize("size", [1.0, 5.0, 2.0**-1072, 2.0**1021])
+def test_unit(size: float) -> None:
+    assert unit(3.0 * size, -4.0 * size) == (0.6, -0.8)
+    assert unit(0.0, -size) == (0.0, -1.0)
+
+
+def test_unit_of_nothing_is_nothing() -> None:
+    assert unit(0.0, -0.0) == (0.0, 0.0)
+
+
+def test_unit_where_the_length_is_no_double() -> None:
+    for x, y in ((MAX, -MAX), (SUBNORMAL, -SUBNORMAL)):
+        ux, uy = unit(x, y)
+        assert ux == -uy == pytest.approx(0.5**0.5, rel=2 * float(U))

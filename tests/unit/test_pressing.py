@@ -85,7 +85,9 @@ def test_side_by_side_at_the_limit_the_speed_is_shortened_across() -> None:
     assert rate(a, b) ** 2 / (2.0 * 10.0) == pytest.approx(HEIGHT, rel=1e-12)
 
 
-speeds = st.one_of(st.just(0.0), st.floats(-100.0, 100.0))
+speeds = st.one_of(  # a speed whose square underflows has no limit that fits it as computed
+    st.just(0.0), st.floats(-100.0, 100.0).map(lambda v: v if abs(v) > 1e-100 else 0.0)
+)
 pulls = st.one_of(st.just(0.0), st.floats(-300.0, 300.0))
 movers = st.builds(
     lambda vx, vy, ax, ay, mass, spare: Mover(

@@ -350,14 +350,62 @@ def test_symmetries_keep_the_bits(seed):
             assert repr(answer(*mirrored[0], *mirrored[1], *rest)) == t
 
 
-@pytest.mark.parametrize("scale", [2.0**-500, 2.0**-300, 2.0**-100, 1.0, 2.0**100, 2.0**500])
-def test_lengths_of_any_scale(scale):
+def in_units(pair: Pair, length: float, time: float) -> Pair:
+    """The same pair, its kilometre and second so long in other units."""
+    scale = (length, length, *[length / time] * 2, *[length / time / time] * 2, length)
+    values = (z * unit for z, unit in zip(pair[:14], 2 * scale, strict=True))
+    return (*values, pair[14] * time, pair[15])  # type: ignore[return-value]
+
+
+UNITS = [
+    (2.0**e, 2.0**f)
+    for e, f in [(-900, -300), (-500, 0), (-300, 0), (0, 250), (0, -250), (100, 0), (450, -20)]
+]
+
+
+@pytest.mark.parametrize(("length", "time"), UNITS)
+def test_the_filter_gives_the_same_bits_in_any_units(length, time):
     rng = random.Random(4)
+    for pair in (ordinary(rng), *(aimed(rng, 10.0**-e)[0] for e in range(12))):
+        for until in (pair[14], 0.0):
+            here = (*pair[:14], until, pair[15])
+            there = in_units(here, length, time)
+            filtered, exact = contact_time_filtered(*here), contact_time_exact(*here)
+            assert repr(contact_time_filtered(*there)) == repr(filtered * time)
+            assert contact_time_exact(*there) == exact * time
+            check(there)
+
+
+@pytest.mark.parametrize("until", [1e70, 1e300, inf])
+def test_a_search_without_an_end_is_filtered(until):
+    rng = random.Random(6)
     for _ in range(20):
         pair = ordinary(rng)
-        scaled = (*(scale * z for z in pair[:14]), *pair[14:])
-        assert contact_time_exact(*scaled) == contact_time_exact(*pair)
-        check(scaled)
+        assert not isnan(contact_time_filtered(*pair[:14], until, pair[15]))
+        check((*pair[:14], until, pair[15]))
+    assert contact_time_filtered(*seen(3.0, 0.0, 1.0, 0.0, 0.0, 0.0, 2.0, inf)) == inf
+    rest = seen(3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0, inf)
+    assert isnan(contact_time_filtered(*rest))
+    assert check(rest) == inf
+
+
+def test_what_other_units_cannot_hold_is_undecided():
+    for s, vy in ((2.0**-300, 2.0**1000), (2.0**300, 3 * 2.0**-1074)):
+        assert check(seen(2 * s, 0.0, -s, 0.0, 0.0, 0.0, s, 1e70)) == 1.0
+        odd = seen(2 * s, 0.0, -s, vy, 0.0, 0.0, s, 1e70)
+        assert isnan(contact_time_filtered(*odd))
+        check(odd)
+
+
+def test_times_below_the_doubles_are_rounded_once():
+    s, speed = 2.0**-100, 2.0**930
+    for gap, t in ((2.0**-145, 0.0), (1.5 * 2.0**-145, 2.0**-1074), (2.0**-144, 2.0**-1074)):
+        soon = seen(s + gap, 0.0, -speed, 0.0, 0.0, 0.0, s, 2.0**-1000)
+        assert isnan(contact_time_filtered(*soon))
+        assert check(soon) == t
+    # Escaped before the first double: the search must not end there.
+    assert check(seen(1.0, 0.0, -1e308, 0.0, 0.0, 0.0, 2.0**-300, 1.0)) == 1e-308
+    assert check(seen(2 * s, 0.0, -(2.0**1000), 0.0, 0.0, 0.0, s, 1e70)) == 0.0
 
 
 def test_extremes_together():

@@ -8,6 +8,7 @@ import re
 import pytest
 
 from fasteroids import ModelError
+from fasteroids.paths import Parabola
 from fasteroids.scene import Problem, SceneError, dump_scene, load_scene
 from tests.unit.making import BOX, ROCK, SHIP, SHOT, problem, problems
 
@@ -315,3 +316,61 @@ def test_flights_that_should_have_ended() -> None:
     # It was outside, and flew in through the wall.
     late = ROCK.replace("300", "0") + "vx = -1\nsince = 1\n" + ROCK + "since = 1\n"
     assert "sticks out of the world" in problem(BOX + "time = 12\n" + late)
+
+
+WIDE = """\
+[world]
+width = 1e9
+height = 1e9
+model = "smooth"
+time = 100.0
+"""
+BURNING = """\
+[[ship]]
+x = 1e5
+y = 1e5
+radius = 20
+mass = 5e15
+thruster = true
+since = 0.0
+"""
+
+
+def ended(flight: str, when: str) -> str:
+    """The problem with a flight that began on line 12."""
+    return (
+        f"line 12: [[ship]] 1, since = 0.0: its flight {flight} at {when} s, before the time of the world; "
+        "a flight begins after the last event"
+    )
+
+
+def test_bent_flights_that_should_have_ended() -> None:
+    # Thrust is 220 km/s^2 to the right.
+    slow = BURNING + "max_speed = 110.0\n"
+    assert problem(WIDE + slow) == ended("reaches its speed limit", "0.5")
+    assert len(load_scene(WIDE.replace("100.0", "0.5") + slow)) == 1
+    assert problem(WIDE + slow + "vx = -110.0\n") == ended("leaves its speed limit", "0.0")
+    back = slow + "vx = -110.0\nslowing = true\n"
+    assert problem(WIDE + back) == ended("reaches its speed limit", "1.0")
+    assert len(load_scene(WIDE.replace("100.0", "1.0") + back)) == 1
+    # It flies at the wall, against its thrust, and is inside the world again at 100 s.
+    assert problem(WIDE + BURNING + "vx = -7199\n") == ended("meets the left wall", "20.0")
+    # A rock is in its way: 44,000 km from rim to rim.
+    rock = ROCK.replace("300", "144030").replace("y = 100", "y = 1e5\nsince = 0")
+    assert problem(WIDE + BURNING + rock) == ended("meets [[asteroid]] 1", "20.0")
+
+
+def test_slowing_only_where_a_ship_leaves_its_limit() -> None:
+    inwards = "vx = -110.0\nmax_speed = 110.0\n"
+    refused = (
+        "line 13: [[ship]] 1, slowing = true: is for a ship at its speed limit whose thruster is on and points "
+        "against its velocity"
+    )
+    late = WIDE.replace("100.0", "0.0")
+    for fields in ("", "vx = 110.0\nmax_speed = 110.0\n", "max_speed = 0.0\n"):
+        assert problem(late + BURNING + "slowing = true\n" + fields) == refused
+    off = BURNING.replace("true", "false") + "slowing = true\n" + inwards
+    assert problem(late + off) == refused
+    good = late + BURNING + "slowing = true\n" + inwards
+    assert type(load_scene(good).flight_of(1).path) is Parabola
+    assert load_scene(good, model="robust").flight_of(1).path is None

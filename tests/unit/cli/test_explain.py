@@ -118,6 +118,15 @@ def test_says_when_the_rules_of_thrust_differ() -> None:
     assert "from the start" in burning
     assert "ace" in burning
     assert "22 km behind for each second below its speed limit" in burning
+    idle = thrust_rules(empty.add(ship(20.0, name="ace", thruster=True, thrust_power=0.0)))
+    assert "differ by rounding alone until a thruster with power is switched on" in idle
+    assert "has no power: ace" in idle
+
+
+@pytest.mark.parametrize(("size", "ratio"), [(666.6667, "67"), (12345.0, "1200"), (1e9, "1e+08")])
+def test_ratios_have_two_digits(size: float, ratio: str) -> None:
+    why = advice(World(size, size).add_all([ship(50.0), ship(150.0)])).why
+    assert f"the world is {ratio} times as long" in " ".join(why)
 
 
 @pytest.mark.parametrize(
