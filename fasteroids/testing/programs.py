@@ -74,16 +74,16 @@ class _Scope(NamedTuple):
 
     names: dict[Type, tuple[str, ...]]
     """The variables by type."""
-    actions: tuple[str, ...] = ()
+    actions: tuple[str, ...]
     """The actions allowed; none inside a for-each."""
+    declared: set[str]
+    """Variables that have their declaration. Grows."""
+    used: set[str]
+    """Variables that the program mentions. Grows."""
     known: tuple[str, ...] = ()
     """Entities that are probably not null here: a test or a for-each stands around."""
     fixed: tuple[str, ...] = ()
     """Variables that a loop around counts with: only that loop assigns them."""
-    declared: set[str] = set()  # noqa: RUF012 (never that default: each program has its own)
-    """Variables that have their declaration. Grows."""
-    used: set[str] = set()  # noqa: RUF012
-    """Variables that the program mentions. Grows."""
 
     def name(self, name: str) -> Name:
         """A variable, on its way into the program."""
@@ -109,7 +109,7 @@ def expressions(
     type: Type, variables: Mapping[str, Type] = VARIABLES, *, depth: int = 4
 ) -> st.SearchStrategy[Expression]:
     """Expressions of a type over some variables, at most `2 * depth + 1` nodes deep."""
-    return _expression(type, _Scope(_by_type(variables), declared=set(), used=set()), depth)
+    return _expression(type, _Scope(_by_type(variables), (), set(), set()), depth)
 
 
 # Expressions. `room` is how many operators may still be nested. Only what nests in itself is a strategy: a shrinking
@@ -241,8 +241,8 @@ def _statement(draw: st.DrawFn, scope: _Scope, room: int) -> tuple[Statement, ..
             body = draw(_block(scope, room - 1))
             action = _action(draw, scope)
             return (While(Truth(True), Block((*body.statements, action))),)
-    name, _, value = _value(draw, scope)
-    return (Assignment(name, value),)
+    name, type = _target(draw, scope)
+    return (Assignment(name, draw(_expression(type, scope, _DEPTH))),)
 
 
 def _action(draw: st.DrawFn, scope: _Scope) -> Statement:
@@ -252,23 +252,23 @@ def _action(draw: st.DrawFn, scope: _Scope) -> Statement:
     return Act(action)
 
 
-def _value(draw: st.DrawFn, scope: _Scope) -> tuple[Name, Type, Expression]:
-    """A variable that may be assigned, its type, and a value for it."""
+def _target(draw: st.DrawFn, scope: _Scope) -> tuple[Name, Type]:
+    """A variable that may be assigned, and its type."""
     type = draw(_among(("double", *_TYPES)))
     free = tuple(n for n in scope.names[type] if n not in scope.fixed)
     if not free:  # every double counts a loop
         type, free = "bool", scope.names["bool"]
-    name = scope.name(draw(_among(free)))
-    return name, type, draw(_expression(type, scope, _DEPTH))
+    return scope.name(draw(_among(free))), type
 
 
 def _declaration(draw: st.DrawFn, scope: _Scope) -> Statement:
     """A declaration, or an assignment if that variable has one already."""
-    name, type, value = _value(draw, scope)
+    name, type = _target(draw, scope)
+    value = _expression(type, scope, _DEPTH)
     if name.name in scope.declared:
-        return Assignment(name, value)
+        return Assignment(name, draw(value))
     scope.declared.add(name.name)
-    return Declaration(type, name, value if draw(st.booleans()) else None)
+    return Declaration(type, name, draw(value) if draw(st.booleans()) else None)
 
 
 def _test(draw: st.DrawFn, scope: _Scope, room: int) -> Statement:
@@ -320,7 +320,7 @@ def programs(
     Without `actions` they take none; without `fire` or `thrust` they leave out those (and `thrust_off`).
     """
     some = ("skip", "turn", *("fire",) * fire, *("thrust", "thrust_off") * thrust) * actions
-    scope = _Scope(_by_type(VARIABLES), some, declared=set(), used=set())
+    scope = _Scope(_by_type(VARIABLES), some, set(), set())
     rows = draw(st.lists(_statement(scope, depth), max_size=8))
     missing = [name for name in VARIABLES if name in scope.used - scope.declared]
     first = [Declaration(VARIABLES[name], Name(name)) for name in missing]
