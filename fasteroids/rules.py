@@ -391,6 +391,11 @@ class ShipView:
         """Where that ship faces, rad."""
         return self._ship.direction
 
+    @property
+    def fuel(self) -> int:
+        """Small steps a program may take in one tick."""
+        return self._world.fuel
+
     def ids(self, kind: Literal["ship", "asteroid", "bullet", "any"]) -> tuple[int, ...]:
         """The ids of all entities of a kind, ascending."""
         of_kind = _KINDS[kind]
