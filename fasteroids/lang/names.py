@@ -7,7 +7,7 @@ from typing import Final
 
 __all__ = ["LONGEST", "closest", "distance", "shortened"]
 
-LONGEST: Final = 40
+LONGEST: Final = 32
 """Longer words are not compared, and shown cut: nobody types them twice by hand."""
 
 

@@ -72,12 +72,11 @@ def wants(
             else:
                 yield left, TAKES[operator]
                 yield right, TAKES[operator]
-        case syntax.Assignment(target, value):
+        case syntax.Assignment(target, value) | syntax.Declaration(_, target, value) if (
+            value is not None
+        ):
             yield target, type_of(value, variables)
             yield value, type_of(target, variables)
-        case syntax.Declaration(kind, target, value) if value is not None:
-            yield target, type_of(value, variables)
-            yield value, variables.get(target.name, None)
         case syntax.If(condition) | syntax.While(condition):
             yield condition, "bool"
         case syntax.ForEach(_, variable):
