@@ -11,8 +11,9 @@ from collections.abc import Callable
 from typing import Any, TypeAlias
 
 from fasteroids.actions import Program
-from fasteroids.lang import Machine, check_program, decoded, diagnose, rendered, restored, saved
-from fasteroids.lang import start as started
+from fasteroids.lang import Machine, check_program, parse_program, rendered, started
+from fasteroids.lang.front import diagnose_bytes
+from fasteroids.lang.saved import restored, saved
 from fasteroids.scene._table import TEXT, Faults, Fields, Table
 from fasteroids.units import ModelError
 
@@ -34,39 +35,37 @@ def program_of(
     if name is not None and text is not None:
         faults.add(table, "and program-text exclude each other", "program")
         return None
+    data = None if text is None else text.encode()
     if name is not None:
-        text = _read(table, name, read, faults)
-    if text is None:
+        data = _read(table, name, read, faults)
+    if data is None:
         if state is not None and name is None:
             faults.add(table, "needs the program it is the state of, in program-text", "program-state")
         return None
-    machine = _machine(table, field, text, name or "program-text", faults)
+    machine = _machine(table, field, data, name or "program-text", faults)
     return machine if state is None or machine is None else _resumed(table, machine, state, faults)
 
 
-def _read(table: Table, name: str, read: Read | None, faults: Faults) -> str | None:
+def _read(table: Table, name: str, read: Read | None, faults: Faults) -> bytes | None:
     try:
         if read is None:
             raise ModelError("cannot be read from here; write the program in program-text")
-        text, wrong = decoded(read(name))
+        return read(name)
     except ModelError as error:
         faults.add(table, str(error), "program")
         return None
-    if wrong:
-        faults.add(table, f"is no text in UTF-8\n{rendered(wrong, text, name)}", "program")
-        return None
-    return text
 
 
-def _machine(table: Table, field: str, text: str, name: str, faults: Faults) -> Machine | None:
-    errors = [d for d in diagnose(text) if d.severity == "error"]
+def _machine(table: Table, field: str, data: bytes, name: str, faults: Faults) -> Machine | None:
+    text, diagnostics = diagnose_bytes(data)
+    errors = [d for d in diagnostics if d.severity == "error"]
     if errors:
         count = "an error" if len(errors) == 1 else f"{len(errors)} errors"
         faults.add(table, f"has {count}\n{rendered(errors, text, name)}", field)
         return None
-    checked = check_program(text)
-    assert checked.program is not None
-    return checked.program
+    tree = parse_program(text).program
+    assert tree is not None
+    return check_program(tree).program
 
 
 def _resumed(table: Table, machine: Machine, state: str, faults: Faults) -> Machine | None:
