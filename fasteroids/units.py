@@ -108,4 +108,6 @@ def shown(value: object) -> str:
         text = repr(value)
     except ValueError:  # an integer of more digits than Python prints
         return "a huge integer"
+    except RecursionError:
+        return "something nested too deeply to show"
     return text if len(text) <= 200 else text[:197] + "..."

@@ -22,14 +22,19 @@ from fasteroids.testing.strategies import pairs as pairs
 from fasteroids.testing.strategies import scripts as scripts
 from fasteroids.testing.strategies import worlds as worlds
 from fasteroids.testing.trees import trees as trees
+from fasteroids.testing.views import DictView as DictView
+from fasteroids.testing.views import histories as histories
+from fasteroids.testing.views import views as views
 
 __all__ = [
+    "DictView",
     "Run",
     "Script",
     "actions",
     "discs",
     "expressions",
     "formations",
+    "histories",
     "keeping",
     "pairs",
     "program_texts",
@@ -37,5 +42,6 @@ __all__ = [
     "scripts",
     "trees",
     "unfold",
+    "views",
     "worlds",
 ]
