@@ -33,6 +33,7 @@ __all__ = [
     "storm_limit",
     "time_to_contact",
     "time_to_wall",
+    "unfold",
 ]
 
 
@@ -100,7 +101,7 @@ def happenings(
                 f"the world is at {world.time!r} s already; it cannot go back to {until!r} s"
             )
         clock = world.clock  # its time is only the double nearest to its clock
-    return _unfold(world, clock, max_events)
+    return unfold(world, clock, max_events)
 
 
 def evolve_until(world: World, time: float) -> World:
@@ -113,7 +114,7 @@ def evolve(world: World, dt: float) -> World:
 
     `ModelError` if dt is nan, negative or infinite. evolve(world, 0) runs what is due now.
     """
-    return _fold(_unfold(world, advanced(world.clock, dt), None))
+    return _fold(unfold(world, advanced(world.clock, dt)))
 
 
 def _fold(unfold: Generator[tuple[Happened, World], None, World]) -> World:
@@ -130,9 +131,13 @@ def storm_limit(entities: int) -> int:
     return 10_000 + 100 * entities
 
 
-def _unfold(
-    world: World, until: Clock, max_events: int | None
+def unfold(
+    world: World, until: Clock, max_events: int | None = None
 ) -> Generator[tuple[Happened, World], None, World]:
+    """What `happenings` unfolds, up to a clock: for those who step as `evolve` does, and carry the residue.
+
+    The clock (see `fasteroids.moments.advanced`) must not be before the world's.
+    """
     end, now = until[:2], world.now
     left = -1 if max_events is None else max_events
     crowd = 0
