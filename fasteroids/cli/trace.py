@@ -34,8 +34,18 @@ _WIDEST: Final = 60  # characters of source shown of one step
 
 @click.command("trace")
 @options.scene
-@click.option("--ship", metavar="NAME", help="The ship: its name or its id. Not needed if one only has a program.")
-@click.option("--from", "start", metavar="S", type=options.Seconds(), help="From this time of the world, s.  [default: now]")
+@click.option(
+    "--ship",
+    metavar="NAME",
+    help="The ship: its name or its id. Not needed if one only has a program.",
+)
+@click.option(
+    "--from",
+    "start",
+    metavar="S",
+    type=options.Seconds(),
+    help="From this time of the world, s.  [default: now]",
+)
 @click.option(
     "--to", "end", metavar="S", type=options.Seconds(),
     help=f"Up to and including this time, s.  [default: {number(_SPAN)} s after --from]",
@@ -107,7 +117,9 @@ def _pilot(world: World, name: str | None) -> int:
             return id_of(s)
     near = get_close_matches(name, [s.name or str(s.id) for s in flown], n=1)
     hint = f" (did you mean {near[0]!r}?)" if near else ""
-    raise Refusal(f"there is no ship {name!r}{hint}; with a program: {', '.join(map(label, flown))}")
+    raise Refusal(
+        f"there is no ship {name!r}{hint}; with a program: {', '.join(map(label, flown))}"
+    )
 
 
 def _ended(fold: Fold) -> World:

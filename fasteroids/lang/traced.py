@@ -38,8 +38,10 @@ class Step:
         if not isinstance(frame, Frame) or not isinstance(self.after, Running):
             return None
         now = self.after.todo.first
-        if not isinstance(now, Frame) or now.done <= frame.done or len(self.after.todo) != len(
-            self.before.todo
+        if (
+            not isinstance(now, Frame)
+            or now.done <= frame.done
+            or len(self.after.todo) != len(self.before.todo)
         ):
             return None
         return (now.operands[-1],) if now.operands else None
@@ -69,6 +71,7 @@ class Traced:
         """As the machine's own tick, step by step."""
         steps = tuple(_steps(refreshed(self.machine, view), view))
         ticked = self.machine.tick(view)
+        assert isinstance(ticked.program, Machine)
         assert not steps or steps[-1].after == ticked.program, "the trace is not what happens"
         return ticked._replace(program=evolve(self, machine=ticked.program, steps=steps))
 

@@ -40,7 +40,9 @@ def program_of(
         data = _read(table, name, read, faults)
     if data is None:
         if state is not None and name is None:
-            faults.add(table, "needs the program it is the state of, in program-text", "program-state")
+            faults.add(
+                table, "needs the program it is the state of, in program-text", "program-state"
+            )
         return None
     machine = _machine(table, field, data, name or "program-text", faults)
     return machine if state is None or machine is None else _resumed(table, machine, state, faults)

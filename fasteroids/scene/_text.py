@@ -108,9 +108,7 @@ def lines_quoted(text: str) -> str:
     if any("\ud800" <= c <= "\udfff" for c in text):
         raise ModelError("is no Unicode text: it has lone surrogates")
     escaped = text.replace("\\", "\\\\").replace('"', '\\"')
-    escaped = "".join(
-        c if c.isprintable() or c in "\n\t" else f"\\U{ord(c):08x}" for c in escaped
-    )
+    escaped = "".join(c if c.isprintable() or c in "\n\t" else f"\\U{ord(c):08x}" for c in escaped)
     return f'"""\n{escaped}"""'
 
 
