@@ -123,7 +123,7 @@ def _reader(folder: Path) -> Callable[[str], bytes]:
 
     def read(name: str) -> bytes:
         try:
-            return read_program(os.path.join(".", folder, name))  # noqa: PTH118: "-" is a file here
+            return read_program(os.path.join(".", folder, name))  # noqa: PTH118 so that "-" is a file
         except Refusal as refusal:
             raise ModelError(str(refusal.message)) from None
 
