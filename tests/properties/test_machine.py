@@ -20,7 +20,6 @@ from fasteroids.lang.machine import (
     Frame,
     Halted,
     Machine,
-    Ran,
     Running,
     place,
     refreshed,
