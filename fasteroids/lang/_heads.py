@@ -261,7 +261,7 @@ class Heads(Misreadings):
             else self.tokens.after(inside.start - 1)
         )
         if not opened and well:
-            fix: tuple[Edit, ...] = (Edit(self.tokens.after(first), " ("),)
+            fix: tuple[Edit, ...] = (Edit(self.tokens.gap(first), " ("),)
             if kinds[self.at] != ")":
                 fix = (*fix, Edit(self.behind(), ")"))
             self.report(
