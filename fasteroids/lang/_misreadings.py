@@ -396,7 +396,9 @@ class Misreadings(Expressions, ABC):
         fix: list[Edit] = []
         while kinds[at] == "," and (kinds[at + 1] == NAME or kinds[at + 1] in words.TYPES):
             own = kinds[at + 1] != NAME
-            fix.append(Edit(self.span(at, at), ";" if own else f"; {kind}"))
+            behind = self.tokens.gap(at)
+            comma = self.span(at, at)
+            fix.append(Edit(comma, ";") if own else Edit(comma.to(behind), f"; {kind} "))
             kinds[at] = ";" if own else kind
             self.declarations.add(at)
             if own:
