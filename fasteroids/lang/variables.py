@@ -242,7 +242,9 @@ def _shown(each: Sequence[Use], *, again: bool = False) -> tuple[Note, ...]:
     more = len(notes) - _MOST_NOTES
     if more > 0:
         last = notes[_MOST_NOTES - 1]
-        notes[_MOST_NOTES - 1 :] = [Note(f"{last.text}, and {more} more {'uses' if more > 1 else 'use'}", last.span)]
+        notes[_MOST_NOTES - 1 :] = [
+            Note(f"{last.text}, and {more} more {'uses' if more > 1 else 'use'}", last.span)
+        ]
     return tuple(notes)
 
 

@@ -24,7 +24,9 @@ def test_examples_are_accepted(name: str) -> None:
 
 def test_the_second_example_as_printed_gets_all_its_faults_in_one_run() -> None:
     text = program("second-as-printed.ast")
-    assert rendered(diagnose(text), text, "nearest.ast") + "\n" == GOLDEN.read_text(encoding="utf-8")
+    assert rendered(diagnose(text), text, "nearest.ast") + "\n" == GOLDEN.read_text(
+        encoding="utf-8"
+    )
 
 
 def test_the_second_example_has_its_three_slips_of_text_and_four_of_type() -> None:
