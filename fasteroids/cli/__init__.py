@@ -19,7 +19,7 @@ COMMANDS: Final = {
     "run": "Evolve a scene and tell what happens.",
     "audit": "Run a scene and measure how well the laws were kept.",
     "check": "Find every fault of ship programs.",
-    "explain": "Say which parts of the model a scene needs, or what a code of a fault means.",
+    "explain": "Say what a scene needs of the model, or what a code means.",
 }
 """The commands, with what the help says of them."""
 

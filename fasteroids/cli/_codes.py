@@ -34,7 +34,7 @@ def _text(name: str, code: Code) -> str:
         [
             f"{name}: {code.title} ({code.phase})",
             "",
-            *textwrap.wrap(code.why, _WIDE),
+            *textwrap.wrap(code.why, _WIDE, break_on_hyphens=False),
             "",
             "Wrong:",
             "",
