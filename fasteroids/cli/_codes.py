@@ -38,11 +38,11 @@ def _text(name: str, code: Code) -> str:
             "",
             "Wrong:",
             "",
-            textwrap.indent(code.wrong.rstrip("\n"), "    "),
+            textwrap.indent(code.wrong, "    "),
             "",
             "Right:",
             "",
-            textwrap.indent(code.right.rstrip("\n"), "    "),
+            textwrap.indent(code.right, "    "),
         ]
     )
 

@@ -115,7 +115,7 @@ def _rule(name: str) -> dict[str, Any]:
         "id": name,
         "shortDescription": {"text": code.title},
         "fullDescription": {"text": code.why},
-        "help": {"text": f"Wrong:\n{code.wrong}\nRight:\n{code.right}"},
+        "help": {"text": f"Wrong:\n\n{code.wrong}\n\nRight:\n\n{code.right}"},
         "properties": {"tags": [code.phase]},
     }
 

@@ -12,7 +12,7 @@ from fasteroids.lang.names import closest, shortened
 from fasteroids.lang.source import Span
 from fasteroids.lang.syntax import Declaration, Program, Type
 from fasteroids.lang.types import with_article
-from fasteroids.lang.uses import Use, declarations, uses
+from fasteroids.lang.uses import Construct, Use, constructs, declarations, uses
 
 __all__ = ["Variables", "declared", "type_span", "understood"]
 
@@ -50,17 +50,17 @@ def declared(tree: Program) -> dict[str, Type]:
 
     In a well-typed program all declarations of a name agree; where they do not, the last wins (as in 2013).
     """
-    return {name: found[-1].type for name, found in declarations(tree).items()}
+    return {name: found[-1].type for name, found in declarations(constructs(tree)).items()}
 
 
-def understood(tree: Program) -> Variables:
+def understood(tree: Program, program: Sequence[Construct]) -> Variables:
     """Gather the variables of a program, and complain of declarations: absent, contradictory, or wrong throughout."""
-    found = declarations(tree)
+    found = declarations(program)
     types = {name: each[0].type for name, each in found.items() if not _contradictory(each)}
     complaints = [_twice(each) for each in found.values() if _contradictory(each)]
-    mistaken = _mistaken(tree, types)
+    mistaken = _mistaken(program, types)
     types |= mistaken
-    used = uses(tree, types)
+    used = uses(program, types)
     complaints += [_misdeclared(found[name], used[name], kind) for name, kind in mistaken.items()]
     absent = {name: each for name, each in used.items() if name not in found}
     inferred = _inferred(absent)
@@ -103,14 +103,14 @@ def _twice(each: Sequence[Declaration]) -> Diagnostic:
     )
 
 
-def _mistaken(tree: Program, types: Mapping[str, Type]) -> dict[str, Type]:
+def _mistaken(program: Sequence[Construct], types: Mapping[str, Type]) -> dict[str, Type]:
     """Variables whose every use asks for another type than they are declared with, and that type.
 
     One slip is no proof, so it takes two uses that say so by themselves; being the variable of a for-each is enough.
     What the declared types of other variables say must not speak against it.
     """
     likely: dict[str, Type] = {}
-    for name, each in uses(tree, {}).items():
+    for name, each in uses(program, {}).items():
         kinds = set(_asked(each))
         hard = [use for use in each if use.wanted is not None]
         enough = len(hard) > 1 or any(use.how == "looped" for use in hard)
@@ -119,7 +119,7 @@ def _mistaken(tree: Program, types: Mapping[str, Type]) -> dict[str, Type]:
     if not likely:
         return {}
     settled = {**types, **likely}
-    all_uses = uses(tree, settled)
+    all_uses = uses(program, settled)
     return {
         name: kind
         for name, kind in likely.items()
