@@ -15,7 +15,7 @@ from fasteroids.lang import syntax
 from fasteroids.lang.syntax import Declaration, Expression, ForEach, Name, Program, Statement, Type
 from fasteroids.lang.types import EQUALITIES, wants
 
-__all__ = ["Construct", "Node", "Use", "constructs", "declarations", "uses"]
+__all__ = ["Construct", "How", "Node", "Use", "constructs", "declarations", "uses"]
 
 Node = Statement | Expression
 Construct = tuple[Node, ForEach | None]

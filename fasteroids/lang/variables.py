@@ -12,7 +12,7 @@ from fasteroids.lang.names import closest, shortened
 from fasteroids.lang.source import Span
 from fasteroids.lang.syntax import Declaration, Program, Type
 from fasteroids.lang.types import with_article
-from fasteroids.lang.uses import Construct, Use, constructs, declarations, uses
+from fasteroids.lang.uses import Construct, How, Use, constructs, declarations, uses
 
 __all__ = ["Variables", "declared", "type_span", "understood"]
 
@@ -65,7 +65,7 @@ def understood(tree: Program, program: Sequence[Construct]) -> Variables:
     absent = {name: each for name, each in used.items() if name not in found}
     inferred = _inferred(absent)
     place = _place_for_declarations(tree)
-    near = _Near(types)
+    near = _Near({**types, **{n: k for n, k in inferred.items() if _lives(absent[n])}})
     for name, each in absent.items():
         meant = near.meant(name, each, inferred.get(name))
         if meant is not None:
@@ -171,6 +171,15 @@ def _asked(each: Sequence[Use]) -> dict[Type, Use]:
     return asked
 
 
+def _lives(each: Sequence[Use]) -> bool:
+    """Is a name both set and read, so that it is a variable of its own, and no slip for another?"""
+    hows = {use.how for use in each}
+    return not hows.isdisjoint(_SETS) and not hows <= _SETS
+
+
+_SETS: Final[frozenset[How]] = frozenset({"set", "looped"})
+
+
 class _Near:
     """Finds the known names that undeclared ones may be slips for, within a bound on work."""
 
@@ -181,16 +190,16 @@ class _Near:
     def meant(self, name: str, each: Sequence[Use], kind: Type | None) -> str | None:
         """The variable or constant that was most likely meant, of the type wanted.
 
-        A name that is both set and read has a life of its own: its declaration is missing, it is no slip.
+        A name that lives is no slip: its declaration is missing.
         """
-        hows = {use.how for use in each}
-        if "set" in hows and len(hows) > 1:
+        if _lives(each):
             return None
+        hows = {use.how for use in each}
         self._left -= len(self._types)
         if self._left < 0:
             return None
         candidates = [known for known, its in self._types.items() if kind in (its, None)]
-        if not hows & {"set", "looped"}:
+        if hows.isdisjoint(_SETS):
             candidates += [word for word, its in _CONSTANTS.items() if kind in (its, None)]
         return closest(name, candidates)
 
