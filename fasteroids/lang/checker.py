@@ -14,25 +14,24 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fasteroids.lang import syntax
-from fasteroids.lang.diagnostics import Diagnostic, Edit, Note
+from fasteroids.lang import remedies, syntax
+from fasteroids.lang.diagnostics import Diagnostic, Note
 from fasteroids.lang.names import shortened
 from fasteroids.lang.source import Span
 from fasteroids.lang.syntax import Expression, Program, Type
 from fasteroids.lang.types import EQUALITIES, type_of, wants, with_article
-from fasteroids.lang.uses import Node, nodes
+from fasteroids.lang.uses import Node, constructs
 from fasteroids.lang.variables import Variables, declared, type_span, understood
 
 __all__ = ["complaints", "declared"]
 
-_COMPARISONS = ("<", "<=", ">", ">=", "==", "!=")
-
 
 def complaints(tree: Program) -> tuple[Diagnostic, ...]:
     """Everything that keeps a program from being type-correct, by place; empty if nothing does. Never raises."""
-    variables = understood(tree)
+    program = constructs(tree)
+    variables = understood(tree, program)
     found = [*variables.complaints]
-    for node, loop in nodes(tree):
+    for node, loop in program:
         found += _misfits(node, variables)
         if loop is not None and isinstance(node, syntax.Act | syntax.Turn):
             found.append(_action_in_loop(node, loop))
@@ -75,7 +74,7 @@ def _wrong_value(
     known: Variables,
 ) -> Diagnostic:
     name = shortened(node.target.name)
-    hint, fix = _remedy(value, found, wanted)
+    hint, fix = remedies.for_value(value, found, wanted)
     at = known.declared_at.get(node.target.name)
     notes: list[Note] = []
     if isinstance(node, syntax.Declaration):
@@ -96,16 +95,7 @@ def _wrong_value(
 def _unlike(node: syntax.Binary, one: Type, other: Type, known: Variables) -> Diagnostic:
     """`==` or `!=` between two types."""
     left, right = node.left, node.right
-    hint = "Compare two doubles, two bools or two entities"
-    fix: tuple[Edit, ...] = ()
-    if _is_comparison(left) and one == "bool":
-        hint = _chain(left, node)
-    elif {one, other} == {"double", "entity"}:
-        entity = left if one == "entity" else right
-        hint = f"Compare a number of the entity, as in `getx {_text(entity)}`"
-    elif isinstance(right, syntax.Number):
-        better, fix = _remedy(right, other, one)
-        hint = better or hint
+    hint, fix = remedies.for_equality(node, one, other)
     return Diagnostic(
         "FA106",
         f"`{node.operator}` compares two values of one type, not {with_article(one)} and {with_article(other)}",
@@ -126,21 +116,8 @@ def _wrong_operand(
 ) -> Diagnostic:
     """The operands of one operator, a condition, the angle of a turn, the variable of a for-each."""
     expression, found, wanted = wrong[0]
-    hint, fix = _remedy(expression, found, wanted)
-    code, taker = _taker(node)
-    if isinstance(node, syntax.ForEach):
-        hint = "Declare another variable for the loop, such as `entity e;`"
-    elif (
-        isinstance(node, syntax.Binary)
-        and node.operator in _COMPARISONS
-        and _is_comparison(expression)
-    ):
-        hint = _chain(expression, node)
-    elif isinstance(node, syntax.Binary) and node.operator in _COMPARISONS and found == "entity":
-        hint = f"Compare a number of the entity, as in `getx {_text(expression)}`"
-    elif isinstance(node, syntax.Unary) and node.operator == "-" and found == "bool":
-        start = node.span.start
-        hint, fix = "Not is `!`", (Edit(Span(*start, start[0], start[1] + 1), "!"),)
+    hint, fix = remedies.for_operand(node, expression, found, wanted)
+    code, rule = _taker(node, wanted)
     notes = [*_origin(expression, found, known)]
     for also, its, _ in wrong[1:]:
         notes += [
@@ -149,7 +126,7 @@ def _wrong_operand(
         notes += _origin(also, its, known)
     return Diagnostic(
         code,
-        f"{taker} {with_article(wanted)}, but this is {with_article(found)}",
+        f"{rule}, but this is {with_article(found)}",
         expression.span,
         hint=hint,
         label=with_article(found),
@@ -158,21 +135,22 @@ def _wrong_operand(
     )
 
 
-def _taker(node: Node) -> tuple[str, str]:
-    """The code for what does not fit into a construct, and how its sentence begins."""
+def _taker(node: Node, wanted: Type) -> tuple[str, str]:
+    """The code for what does not fit into a construct, and what the construct takes."""
+    one = with_article(wanted)
     match node:
         case syntax.If():
-            return "FA104", "The condition of `if` must be"
+            return "FA104", f"The condition of `if` must be {one}"
         case syntax.While():
-            return "FA104", "The condition of `while` must be"
+            return "FA104", f"The condition of `while` must be {one}"
         case syntax.Turn():
-            return "FA107", "`turn` takes an angle in radians,"
+            return "FA107", f"The angle of `turn` must be {one}"
         case syntax.ForEach():
-            return "FA109", "The variable of a for-each must be"
+            return "FA109", f"The variable of a for-each must be {one}"
         case syntax.Unary(operator):
-            return "FA105", f"`{operator}` takes"
+            return "FA105", f"`{operator}` takes {one}"
         case syntax.Binary(operator):
-            return "FA105", f"`{operator}` takes two operands, each"
+            return "FA105", f"`{operator}` works on {wanted}s"
     raise AssertionError(node)
 
 
@@ -191,68 +169,9 @@ def _action_in_loop(node: syntax.Act | syntax.Turn, loop: syntax.ForEach) -> Dia
     )
 
 
-# What helps.
-
-
 def _origin(expression: Expression, kind: Type, known: Variables) -> list[Note]:
     """Where a variable that does not fit was declared."""
     if isinstance(expression, syntax.Name) and expression.name in known.declared_at:
         at = known.declared_at[expression.name].target
         return [Note(f"`{shortened(at.name)}` is declared {kind} here", at.span)]
     return []
-
-
-def _remedy(
-    expression: Expression, found: Type, wanted: Type
-) -> tuple[str | None, tuple[Edit, ...]]:
-    """The likely way from a value of one type to one of another, as a hint and, if it is safe, an edit."""
-    match expression, found, wanted:
-        case syntax.Number(0.0 | 1.0 as value, span), _, "bool":
-            word = "true" if value else "false"
-            return f"Write `{word}`", (Edit(span, word),)
-        case syntax.Number(0.0, span), _, "entity":
-            return "No entity is `null`", (Edit(span, "null"),)
-        case _, "double", "bool":
-            return f"Compare it with a number, as in `{_text(expression)} != 0`", ()
-        case syntax.Null(), "entity", "bool":
-            return "Write `false`", (Edit(expression.span, "false"),)
-        case _, "entity", "bool":
-            return f"Ask whether there is one: `{_text(expression)} != null`", ()
-        case syntax.Null(), "entity", "double":
-            return "`null` is for entities; a double has no such value", ()
-        case _, "entity", "double":
-            text = _text(expression)
-            return f"Take a number of the entity, as in `getx {text}` or `getradius {text}`", ()
-        case syntax.Unary(operator), "double", "entity" if operator.startswith("get"):
-            return f"`{operator}` has made it a double: leave it out if the entity is meant", ()
-        case _:
-            return None, ()
-
-
-def _text(expression: Expression) -> str:
-    """A simple expression as it is written; `...` for others."""
-    match expression:
-        case syntax.Name(name):
-            return shortened(name)
-        case syntax.Self():
-            return "self"
-        case syntax.Null():
-            return "null"
-        case syntax.Direction():
-            return "getdir"
-        case _:
-            return "..."
-
-
-def _is_comparison(expression: Expression) -> bool:
-    return isinstance(expression, syntax.Binary) and expression.operator in _COMPARISONS
-
-
-def _chain(left: Expression, node: syntax.Binary) -> str:
-    """`a < b < c` is no chain."""
-    assert isinstance(left, syntax.Binary)
-    middle = _text(left.right)
-    return (
-        f"Comparisons do not chain: write `{_text(left.left)} {left.operator} {middle} && "
-        f"{middle} {node.operator} {_text(node.right)}`"
-    )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from typing import Final
 
@@ -9,6 +10,9 @@ __all__ = ["LONGEST", "closest", "distance", "shortened"]
 
 LONGEST: Final = 32
 """Longer words are not compared, and shown cut: nobody types them twice by hand."""
+
+
+_DIGITS: Final = re.compile("[0-9]+")
 
 
 def closest(word: str, candidates: Iterable[str]) -> str | None:
@@ -40,7 +44,7 @@ def _edits(word: str, candidate: str) -> int | None:
 
 
 def _lettered(word: str) -> str:
-    return "".join("0" if letter.isdecimal() else letter for letter in word)
+    return _DIGITS.sub("0", word)
 
 
 def distance(one: str, other: str) -> int:

@@ -189,11 +189,9 @@ class _View:
         self._before = len(left)
 
     def cells(self, column: int) -> int:
-        """The cells before a column; those of a place that is cut away, at the edge; one a column behind the end."""
-        count = column - 1 - self._first
-        beyond = max(0, count - len(self._widths))
-        inside = self._before + sum(self._widths[: max(count, 0)])
-        return inside + min(beyond, 1)
+        """The cells before a column; before one that is not shown, up to the edge."""
+        count = max(column - 1 - self._first, 0)
+        return self._before + sum(self._widths[:count])
 
 
 def _window(widths: Sequence[int], start: int, stop: int) -> tuple[int, int]:
