@@ -223,9 +223,9 @@ def _subject(draw: st.DrawFn, scope: _Scope) -> Expression:
 _DEPTH: Final = 3  # of expressions in statements
 
 
-def _block(scope: _Scope, room: int, *, least: int = 0) -> st.SearchStrategy[Block]:
-    """Up to as many statements as there is room, and two; more where some belong together."""
-    rows = st.lists(_statement(scope, room), min_size=least, max_size=room + 2)
+def _block(scope: _Scope, room: int) -> st.SearchStrategy[Block]:
+    """Up to as many statements as there is room, and three; more where some belong together."""
+    rows = st.lists(_statement(scope, room), max_size=room + 3)
     return rows.map(lambda rows: Block(tuple(s for row in rows for s in row)))
 
 
@@ -242,10 +242,7 @@ def _statement(draw: st.DrawFn, scope: _Scope, room: int) -> tuple[Statement, ..
         case "declaration":
             return (_declaration(draw, scope),)
         case "if":
-            condition = draw(_expression("bool", scope, _DEPTH))
-            then = draw(_block(scope, room - 1))
-            orelse = draw(st.none() | _block(scope, room - 1))
-            return (If(condition, then, orelse),)
+            return (_if(draw, scope, room),)
         case "test":
             return (_test(draw, scope, room),)
         case "foreach":
@@ -287,6 +284,17 @@ def _declaration(draw: st.DrawFn, scope: _Scope) -> Statement:
     return Declaration(type, name, draw(value) if draw(st.booleans()) else None)
 
 
+def _if(draw: st.DrawFn, scope: _Scope, room: int) -> If:
+    condition = draw(_expression("bool", scope, _DEPTH))
+    then = draw(_block(scope, room - 1))
+    match draw(_among(("nothing", "else", "else if"))):
+        case "else":
+            return If(condition, then, draw(_block(scope, room - 1)))
+        case "else if" if room > 1:
+            return If(condition, then, Block((_if(draw, scope, room - 1),)))
+    return If(condition, then)
+
+
 def _test(draw: st.DrawFn, scope: _Scope, room: int) -> Statement:
     """An if for a variable that may be null."""
     name = draw(_among(scope.names["entity"]))
@@ -304,7 +312,7 @@ def _foreach(draw: st.DrawFn, scope: _Scope, room: int) -> Statement:
     kind = draw(_among(KINDS))
     name = draw(_among(scope.names["entity"]))
     inside = scope.knowing(name)._replace(actions=())
-    return ForEach(kind, scope.name(name), draw(_block(inside, room - 1, least=1)))
+    return ForEach(kind, scope.name(name), draw(_block(inside, room - 1)))
 
 
 def _count(draw: st.DrawFn, scope: _Scope, room: int) -> tuple[Statement, ...]:
@@ -312,7 +320,7 @@ def _count(draw: st.DrawFn, scope: _Scope, room: int) -> tuple[Statement, ...]:
     free = tuple(n for n in scope.names["double"] if n not in scope.fixed)
     name = scope.name(draw(_among(free)))
     inside = scope._replace(fixed=(*scope.fixed, name.name))
-    body = draw(_block(inside, room - 1, least=1))
+    body = draw(_block(inside, room - 1))
     more = Assignment(name, Binary("+", name, Number(1.0)))
     limit = Number(float(draw(st.integers(0, 4))))
     loop = While(Binary("<", name, limit), Block((*body.statements, more)))
@@ -337,7 +345,7 @@ def programs(
     """
     some = ("skip", "turn", *("fire",) * fire, *("thrust", "thrust_off") * thrust) * actions
     scope = _Scope(_by_type(VARIABLES), some, set(), set())
-    rows = draw(st.lists(_statement(scope, depth), max_size=6))
+    rows = draw(st.lists(_statement(scope, depth), max_size=5))
     missing = [name for name in VARIABLES if name in scope.used - scope.declared]
     first = [Declaration(VARIABLES[name], Name(name)) for name in missing]
     return Program(Block((*first, *(s for row in rows for s in row))))
