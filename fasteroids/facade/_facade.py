@@ -37,12 +37,12 @@ class Facade(Asking):
     def add_ship(self, world: WorldHandle, ship: ShipHandle) -> None:
         """Put a ship into a world (1.1). Touching is fine.
 
-        `ModelError` if it is in a world already, overlaps another entity, sticks out, or is too wide.
+        `ModelError` if it is in a world already, died in one, overlaps another entity, sticks out, or is too wide.
         """
         self._add(world, a(ShipHandle, ship))
 
     def add_asteroid(self, world: WorldHandle, asteroid: AsteroidHandle) -> None:
-        """Put an asteroid into a world, as `add_ship`."""
+        """Put an asteroid into a world, with the refusals of `add_ship`."""
         self._add(world, a(AsteroidHandle, asteroid))
 
     def remove_ship(self, world: WorldHandle, ship: ShipHandle) -> None:
