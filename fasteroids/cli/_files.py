@@ -16,12 +16,22 @@ from fasteroids.cli._guard import Refusal, mute, reason
 from fasteroids.scene import SceneError, load_scene
 from fasteroids.state import World
 
-__all__ = ["STDIO", "Lines", "check_outputs", "open_scene", "shipped", "write_whole"]
+__all__ = [
+    "STDIO",
+    "Lines",
+    "check_outputs",
+    "open_scene",
+    "read_program",
+    "shipped",
+    "write_whole",
+]
 
 STDIO = "-"
 
 _MOST_BYTES = 64 * 1024 * 1024
 """Longer files are no scenes. A limit, so that a slip (a device, a disk image) does not fill the memory."""
+
+_MOST_BYTES_OF_PROGRAM = 1024 * 1024
 
 _BATCH = 64 * 1024  # characters that lines to a file wait for
 
@@ -61,24 +71,25 @@ def _text_of(scene: str) -> tuple[str, str]:
     if scene == STDIO:
         if sys.stdin is None:
             raise Refusal("standard input is closed")
-        return "standard input", _decoded("standard input", _read(sys.stdin.buffer))
+        return "standard input", _decoded("standard input", _read(sys.stdin.buffer, "scene"))
     path = Path(scene)
     if not path.exists() and path.name == scene and (text := shipped().get(scene)) is not None:
         return scene, text
     try:
         with path.open("rb") as file:
             title = path.name if path.name.isprintable() else repr(path.name)
-            return title, _decoded(title, _read(file))
+            return title, _decoded(title, _read(file, "scene"))
     except FileNotFoundError:
         raise Refusal(_missing(scene)) from None
     except OSError as error:
         raise Refusal(f"cannot read {reason(error)}") from None
 
 
-def _read(file: IO[bytes]) -> bytes:
-    data = file.read(_MOST_BYTES + 1)
-    if len(data) > _MOST_BYTES:
-        raise Refusal(f"a scene has at most {_MOST_BYTES} bytes; this one has more")
+def _read(file: IO[bytes], what: str) -> bytes:
+    most = _MOST_BYTES if what == "scene" else _MOST_BYTES_OF_PROGRAM
+    data = file.read(most + 1)
+    if len(data) > most:
+        raise Refusal(f"a {what} has at most {most} bytes; this one has more")
     return data
 
 
@@ -99,6 +110,24 @@ def _missing(scene: str) -> str:
     hint = f" (did you mean {near[0]!r}?)" if near else ""
     known = f", or one of these: {', '.join(names)}" if names else ""
     return f"there is no scene {scene!r}{hint}; give a file, '-' for standard input{known}"
+
+
+# Programs.
+
+
+def read_program(place: str) -> bytes:
+    """The bytes of a program: of a file, or of standard input ('-'). `Refusal` says why they cannot be had."""
+    if place == STDIO:
+        if sys.stdin is None:
+            raise Refusal("standard input is closed")
+        return _read(sys.stdin.buffer, "program")
+    try:
+        with Path(place).open("rb") as file:
+            return _read(file, "program")
+    except OSError as error:
+        raise Refusal(f"cannot read {reason(error)}") from None
+    except ValueError:  # a null character in a name
+        raise Refusal(f"cannot read {place!r}: there is no such file") from None
 
 
 # Outputs.

@@ -1,0 +1,499 @@
+"""What to make of statements that are none: the half of the parser that good programs never reach.
+
+Each method stands where the grammar ends. It names the fault, repairs what it can be sure of (often by rewriting the
+kind of a token, so that the ordinary methods go on), and leaves the parser at a token it can go on with. Each
+consumes something or leaves a token that its caller consumes, so the parser always comes to the end.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from typing import Final
+
+from fasteroids.lang import foreign, words
+from fasteroids.lang._cursor import OPERANDS
+from fasteroids.lang._expressions import Expressions
+from fasteroids.lang.diagnostics import Diagnostic, Edit
+from fasteroids.lang.lexer import BROKEN, END, MEMBER, NAME, NUMBER, STRAY, Tokens, quoted
+from fasteroids.lang.source import Span
+from fasteroids.lang.syntax import (
+    Assignment,
+    Block,
+    If,
+    Missing,
+    Name,
+    Number,
+    Statement,
+)
+
+__all__ = ["Misreadings"]
+
+_MOST_TRIED: Final = 8
+_TYPES_HINT: Final = "The types are `double`, `bool` and `entity`"
+_STATEMENTS_HINT: Final = (
+    "A statement is a declaration, an assignment `x := e;`, or starts with a word such as `turn`"
+)
+
+
+class Misreadings(Expressions, ABC):
+    """Reads on where statements go wrong."""
+
+    closer = -1
+    """The index of the stray `}` that ends the block being read, whose `{` is missing; -1 if it has its own."""
+
+    def __init__(self, tokens: Tokens, faults: list[Diagnostic]) -> None:
+        super().__init__(tokens, faults)
+        self.declarations: set[int] = set()
+        """Commas that are read as the type of one more declaration."""
+
+    @abstractmethod
+    def statement(self, depth: int) -> Statement | None:
+        """One statement."""
+
+    @abstractmethod
+    def statements(self, depth: int) -> tuple[Statement, ...]:
+        """Statements up to the end of the block."""
+
+    @abstractmethod
+    def block(self, depth: int) -> Block:
+        """`{ }`."""
+
+    @abstractmethod
+    def ended(self, first: int) -> Span:
+        """The end of a simple statement."""
+
+    # Statements that start with a wrong token.
+
+    def no_statement(self, depth: int) -> Statement | None:
+        """The next token starts no statement."""
+        first, kind = self.at, self.kinds[self.at]
+        behind = self.kinds[first + 1]
+        place = self.here()
+        if kind == BROKEN:
+            return self.unreadable(depth)
+        if kind == "{":
+            self.report("FA033", "A block belongs to an `if`, `else`, `while` or `foreach`", place)
+            return self.detached(depth)
+        if kind == "else":
+            return self.lone_else(depth)
+        if kind in words.KINDS and behind == NAME:
+            return self.foreign_declaration(depth)
+        self.at += 1
+        if kind in (STRAY, "}"):
+            self.stray_braces(first)
+        elif kind == ")":
+            self.at = first
+            self.stray_parentheses()
+        elif kind in ("then", "do"):
+            hint = "`then` stands behind the condition of an `if`, `do` behind that of a `while`"
+            self.report(
+                "FA020", f"There is nothing for this `{kind}` to go with", place, hint, about=first
+            )
+            self.mute = self.at
+        elif kind == "++" and behind == NAME:
+            name = self.texts[first + 1]
+            whole = self.span(first, first + 1)
+            self.increment(name, "+", whole)
+            self.skip_statement()
+        elif kind in words.KEYWORDS and behind in (":=", "="):
+            message = f"`{kind}` is a word of the language and no variable"
+            self.report("FA023", message, place, "Choose another name", about=first)
+            self.skip_statement()
+        elif kind == ":=":
+            message = "The name of the variable to assign to is missing"
+            self.report("FA023", message, place, about=first)
+            self.skip_statement()
+        else:
+            self.at = first
+            self.no_start()
+        return None
+
+    def stray_braces(self, first: int) -> None:
+        """Pass over `}` that close nothing, in one line."""
+        while self.kinds[self.at] == STRAY and self.at != self.closer and self.same_line():
+            self.at += 1
+        place = self.span(first, self.at - 1)
+        message = "This `}` closes nothing" if self.at == first + 1 else "These `}` close nothing"
+        self.report("FA016", message, place, "Remove it", fix=(Edit(place, ""),), about=first)
+
+    def no_start(self) -> None:
+        """Pass over something that is no statement: an expression, or signs."""
+        first = self.at
+        if self.kinds[first + 1] == MEMBER:
+            hint = "A program reads entities, with `getx` and its like, and acts with `turn`, `fire` and its like"
+            self.report(
+                "FA031", "Entities have no fields to change", self.span(first, first + 1), hint
+            )
+            self.at += 2
+            self.skip_statement()
+            return
+        shown = self.shown()
+        if self.kinds[first] in OPERANDS:
+            message = f"A statement cannot start with {shown}"
+        else:
+            message = f"Expected a statement, not {shown}"
+        self.report("FA020", message, self.here(), _STATEMENTS_HINT)
+        self.at += 1
+        self.skip_statement()
+
+    def unreadable(self, depth: int) -> Statement | None:
+        """Something already told; an assignment to it is read."""
+        first = self.at
+        self.at += 1
+        if self.kinds[self.at] == BROKEN or not (self.kinds[self.at] == ":=" or self.assigns()):
+            return None
+        self.at += 1
+        value = self.expression(depth + 1)
+        target = Name(self.texts[first], self.span(first, first))
+        return Assignment(target, value, self.ended(first))
+
+    def detached(self, depth: int) -> Statement:
+        """A block that belongs to nothing, as that of an `if` without condition."""
+        first = self.at
+        condition = Missing(self.tokens.after(first - 1))
+        block = self.block(depth + 1)
+        return If(condition, block, None, self.span(first, self.at - 1))
+
+    def lone_else(self, depth: int) -> Statement | None:
+        """`else` without its `if`."""
+        first = self.at
+        hint = "An `else` stands right behind the `}` of its `if`"
+        fix: tuple[Edit, ...] = ()
+        if self.kinds[first - 2 : first] == ["}", ";"]:
+            between = self.span(first - 1, first - 1)
+            hint, fix = "Remove the `;` before it", (Edit(between, ""),)
+        self.report("FA032", "There is no `if` for this `else`", self.here(), hint, fix=fix)
+        self.at += 1
+        self.mute = self.at
+        return self.detached(depth) if self.kinds[self.at] == "{" else None
+
+    # Statements that start with a name.
+
+    def no_assignment(self, depth: int) -> Statement | None:
+        """A name without `:=` behind it."""
+        first = self.at
+        word, behind = self.texts[first], self.kinds[first + 1]
+        self.at = first + 1
+        if self.assigns() or behind in ("==", "=!"):
+            return self.misassigned(first, depth)
+        if behind in foreign.SHORTHANDS or behind == "++":
+            return self.shorthand_assignment(first, depth)
+        if self.kinds[first + 1 : first + 4] == ["-", "-", ";"]:
+            self.increment(word, "-", self.span(first, first + 2))
+            self.skip_statement()
+            return Assignment(
+                self.named(first),
+                Number(1.0, self.span(first, first)),
+                self.span(first, self.at - 1),
+            )
+        same_line = self.same_line()
+        self.at = first
+        if word in foreign.TYPES and behind in (NAME, BROKEN) and same_line:
+            return self.foreign_declaration(depth)
+        if word in foreign.ELSE_IFS:
+            self.report("FA032", f"There is no `if` for this `{word}`", self.here())
+            self.kinds[first] = "if"
+            return self.statement(depth)
+        if word in foreign.STATEMENTS:
+            return self.foreign_statement(depth)
+        meant = foreign.SYNONYMS.get(word) or self.suggested(
+            word, self.plausible(behind, same_line)
+        )
+        if meant is not None:
+            place = self.here()
+            known = word in foreign.SYNONYMS
+            message = (
+                f"There is no {quoted(word)}" if known else f"{quoted(word)} starts no statement"
+            )
+            hint = f"Write `{meant}`" if known else f"Did you mean `{meant}`?"
+            self.report(
+                "FA022" if known else "FA021", message, place, hint, fix=(Edit(place, meant),)
+            )
+            self.kinds[first] = meant
+            return self.statement(depth)
+        self.no_sense(same_line)
+        return None
+
+    def no_sense(self, same_line: bool) -> None:
+        """A name that starts nothing."""
+        first = self.at
+        word, behind = self.texts[first], self.kinds[first + 1]
+        place = self.here()
+        if behind == MEMBER:
+            self.no_start()
+            return
+        if behind == "(" and same_line:
+            hint = (
+                "Ships are told what to do with `turn`, `fire`, `thrust`, `thrust_off` and `skip`"
+            )
+            self.report("FA030", f"There is no function {quoted(word)}", place, hint)
+        elif behind == NAME and same_line:
+            self.report(
+                "FA022", f"{quoted(word)} is no type and starts no statement", place, _TYPES_HINT
+            )
+        elif behind in (";", "}", STRAY, END) or not same_line:
+            hint = "Give it a value with `:=`, or show it with `print`"
+            self.report("FA020", f"{quoted(word)} alone is no statement", place, hint)
+        elif behind != BROKEN:
+            message = f"Expected `:=` behind {quoted(word)}, not {quoted(self.texts[first + 1])}"
+            self.report("FA020", message, self.span(first + 1, first + 1), about=first)
+        self.at += 1
+        self.skip_statement()
+
+    def plausible(self, behind: str, same_line: bool) -> tuple[str, ...]:
+        """Words that may start a statement whose second token is `behind`."""
+        if behind in (";", "}", END) or not same_line:
+            return "fire", "thrust", "thrust_off", "skip"
+        if behind == "(":
+            return "if", "while", "foreach", "print", "turn", "fire", "thrust", "thrust_off", "skip"
+        if behind == NAME:
+            return *words.TYPES, "print", "turn", "if", "while"
+        if behind in OPERANDS or behind == "-":
+            return "print", "turn", "if", "while"
+        return ()
+
+    def named(self, first: int) -> Name:
+        """The token as a variable."""
+        return Name(self.texts[first], self.span(first, first))
+
+    def assigns(self) -> bool:
+        """Is the next token some other language's sign for `:=`? Says so."""
+        kind, place = self.kinds[self.at], self.here()
+        value = self.kinds[self.at + 1]
+        if kind == "=" or (
+            kind == ":" and (value in OPERANDS or value == "-") and self.value_ahead()
+        ):
+            fix = (Edit(place, ":="),)
+            message = f"An assignment is written `:=`, not `{kind}`"
+            self.report("FA011", message, place, "Write `:=`", fix=fix)
+            return True
+        return False
+
+    def value_ahead(self) -> bool:
+        """Does the token after the next stand in its line and start no statement?"""
+        self.at += 1
+        ahead = self.same_line() and not self.starts_statement()
+        self.at -= 1
+        return ahead
+
+    def misassigned(self, first: int, depth: int) -> Statement:
+        """`x = e;`, `x == e;`, `x =! e;`."""
+        kind, place = self.kinds[self.at], self.here()
+        if kind == "=!":
+            self.kinds[self.at] = "!"
+        else:
+            self.at += 1
+        meant = ":= !" if kind == "=!" else ":="
+        if kind in ("==", "=!"):
+            message = f"An assignment is written `:=`, not `{kind.rstrip('!')}`"
+            self.report("FA011", message, place, f"Write `{meant}`", fix=(Edit(place, meant),))
+        value = self.expression(depth + 1)
+        return Assignment(self.named(first), value, self.ended(first))
+
+    def increment(self, name: str, sign: str, whole: Span) -> None:
+        """Tell of `x++` or `x--`."""
+        meant = f"{name} := {name} {sign} 1"
+        fix = (Edit(whole, meant),)
+        self.report(
+            "FA028",
+            f"There is no `{sign}{sign}`",
+            whole,
+            f"Write `{quoted(meant)[1:-1]}`",
+            fix=fix,
+            about=len(self.kinds),
+        )
+
+    def shorthand_assignment(self, first: int, depth: int) -> Statement:
+        """`x++;` or `x += e;`, read as an assignment of a number."""
+        word, kind, place = self.texts[first], self.kinds[self.at], self.here()
+        target = self.named(first)
+        self.at += 1
+        if kind == "++":
+            self.increment(word, "+", self.span(first, first + 1))
+            if self.kinds[self.at] != ";":
+                self.mute = self.at
+            return Assignment(target, Number(1.0, place), self.ended(first))
+        sign = foreign.SHORTHANDS[kind]
+        start = self.at
+        before = self.mute
+        value = self.expression(depth + 1)
+        fix: tuple[Edit, ...] = (Edit(place, f":= {word} {sign}"),)
+        if self.at > start + 1:
+            fix = (
+                Edit(place, f":= {word} {sign}"),
+                Edit(self.tokens.gap(start - 1), " ("),
+                Edit(self.behind(), ")"),
+            )
+        hint = f"Write `{quoted(word)[1:-1]} := {quoted(word)[1:-1]} {sign} …`"
+        if first > before:
+            self.report(
+                "FA028", f"There is no `{kind}`", place, hint, fix=fix, about=len(self.kinds)
+            )
+        return Assignment(target, value, self.ended(first))
+
+    def foreign_declaration(self, depth: int) -> Statement | None:
+        """`int x;`, `var x := 3;`, `ship s;`."""
+        first = self.at
+        word, place = self.texts[first], self.here()
+        meant = foreign.TYPES[word]
+        hint = f"Write `{meant}`" if meant else _TYPES_HINT
+        fix = (Edit(place, meant),) if meant else ()
+        self.report("FA022", f"{quoted(word)} is no type", place, hint, fix=fix)
+        value = self.kinds[first + 3]
+        if meant is None:
+            meant = (
+                "bool"
+                if value in ("true", "false", "!")
+                else "entity"
+                if value in ("null", "self")
+                else "double"
+            )
+        self.kinds[first] = meant
+        return self.statement(depth)
+
+    def foreign_statement(self, depth: int) -> Statement | None:
+        """`for (…) { }`, `return;`: what it has in a block is read all the same."""
+        first = self.at
+        word = self.texts[first]
+        self.report("FA022", f"There is no `{word}`", self.here(), foreign.STATEMENTS[word])
+        self.at += 1
+        if self.skip_head():
+            return self.detached(depth)
+        self.skip_statement()
+        return None
+
+    # Parts of statements.
+
+    def name(self) -> Name | None:
+        """The name that a declaration declares; None, and on to the next statement, if there is none."""
+        at = self.at
+        kind = self.kinds[at]
+        if kind in (NAME, BROKEN):
+            self.at = at + 1
+            return self.named(at)
+        if kind in (":=", "="):
+            message = f"`{self.texts[at - 1]}` is a word of the language and no variable"
+            self.report("FA023", message, self.span(at - 1, at - 1), "Choose another name")
+        elif kind in words.KEYWORDS and self.same_line():
+            message = f"{self.shown()} is a word of the language and no variable"
+            self.report("FA023", message, self.here(), "Choose another name")
+            self.at = at + 1
+            return self.named(at)
+        elif kind == NUMBER and self.same_line():
+            self.report(
+                "FA023", f"The name of a variable is expected, not {self.shown()}", self.here()
+            )
+        else:
+            message = "The name of the variable is missing"
+            self.report("FA023", message, self.behind(), label="a name expected")
+        self.skip_statement()
+        return None
+
+    def several(self, kind: str) -> None:
+        """`, b` behind a declaration: go on as if it were one more."""
+        first = at = self.at
+        kinds = self.kinds
+        fix: list[Edit] = []
+        while kinds[at] == "," and (kinds[at + 1] == NAME or kinds[at + 1] in words.TYPES):
+            own = kinds[at + 1] != NAME
+            behind = self.tokens.gap(at)
+            comma = self.span(at, at)
+            fix.append(Edit(comma, ";") if own else Edit(comma.to(behind), f"; {kind} "))
+            kinds[at] = ";" if own else kind
+            self.declarations.add(at)
+            if own:
+                break
+            at += 2
+        if fix:
+            hint = f"Write `{kind} …;` for each"
+            last = max(first, at - 1)
+            message = "A declaration declares one variable"
+            self.report("FA025", message, self.span(first, last), hint, fix=tuple(fix))
+
+    def takes_something(self) -> bool:
+        """Is `skip` followed by what cannot be the next statement?"""
+        return self.kinds[self.at] in ("(", ":=", "=")
+
+    def bare(self, first: int) -> str | None:
+        """An action that takes nothing, with something behind it other than `;`: what it is, or None for no action."""
+        kind, behind = self.kinds[first], self.kinds[self.at]
+        if behind in (":=", "="):
+            message = f"`{kind}` is a word of the language and no variable"
+            self.report("FA023", message, self.span(first, first), "Choose another name")
+            self.skip_statement()
+            return None
+        if not self.same_line() or self.starts_statement():
+            return kind
+        word = self.texts[self.at]
+        if kind == "thrust" and word in ("on", "off"):
+            meant = "thrust_off" if word == "off" else "thrust"
+            whole = self.span(first, self.at)
+            message = "`thrust` switches the thruster on and takes nothing"
+            self.report("FA026", message, whole, f"Write `{meant}`", fix=(Edit(whole, meant),))
+            self.at += 1
+            return meant
+        message = f"`{kind}` takes nothing"
+        closing = self.closing(self.at) if behind == "(" else None
+        if closing is not None:
+            whole = self.span(self.at, closing)
+            fix = (Edit(whole, ""),)
+            self.report("FA026", message, whole, f"Write `{kind};`", fix=fix)
+            self.at = closing + 1
+        elif behind in OPERANDS or behind == "-":
+            self.report("FA026", message, self.here(), f"Write `{kind};`")
+            self.at += 1
+            self.skip_expression()
+        return kind
+
+    def stray_parentheses(self) -> None:
+        """Pass over `)` that close nothing."""
+        first = self.at
+        while self.kinds[self.at] == ")":
+            self.at += 1
+        place = self.span(first, self.at - 1)
+        message = "This `)` closes nothing" if self.at == first + 1 else "These `)` close nothing"
+        self.report("FA017", message, place, "Remove it", fix=(Edit(place, ""),), about=first)
+
+    def no_semicolon(self, first: int) -> None:
+        """The statement that starts at token `first` has no `;` where it ends."""
+        kinds = self.kinds
+        self.at = self.ahead()
+        while kinds[self.at] == ")":
+            self.stray_parentheses()
+            self.at = self.ahead()
+        while self.decimal_comma():
+            pass
+        kind, place = kinds[self.at], self.here()
+        if kind == ";":
+            self.at += 1
+        elif self.at in self.declarations:
+            return
+        elif kind == ":":
+            fix = (Edit(place, ";"),)
+            message = "A statement ends in `;`, not in `:`"
+            self.report("FA010", message, place, "Write `;`", fix=fix)
+            self.at += 1
+        elif kind in ("}", STRAY, END, "else") or self.starts_statement() or not self.same_line():
+            behind = self.behind()
+            span = behind if behind not in self.told else self.span(self.at - 1, self.at - 1)
+            fix = (Edit(behind, ";"),)
+            self.report(
+                "FA010",
+                "A `;` is missing",
+                span,
+                "End the statement with `;`",
+                label="`;` expected",
+                fix=fix,
+            )
+        elif kind == ",":
+            message = (
+                f"`{kinds[first]}` takes one value"
+                if kinds[first] in words.KEYWORDS
+                else "There is one value too many"
+            )
+            self.report("FA027", message, place, "Write one statement for each value")
+            self.skip_statement()
+        else:
+            self.report("FA020", f"Expected `;`, not {self.shown()}", place)
+            self.at += kind != "{"
+            self.skip_statement()

@@ -1,0 +1,161 @@
+"""What people bring along from other languages, and what it is here.
+
+Some of it is grammatical (a variable may be called `this`), so the checker reads these tables too. `closest` finds
+the word that a misspelt one stands for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Final
+
+__all__ = [
+    "CONSTANTS",
+    "ELSE_IFS",
+    "FUNCTIONS",
+    "INFIX",
+    "KINDS",
+    "MEMBERS",
+    "PREFIX",
+    "SHORTHANDS",
+    "SIGNS",
+    "STATEMENTS",
+    "SYNONYMS",
+    "TYPES",
+    "closest",
+]
+
+CONSTANTS: Final = {
+    "True": "true", "TRUE": "true", "yes": "true",
+    "False": "false", "FALSE": "false", "no": "false",
+    "None": "null", "NULL": "null", "Null": "null", "nil": "null", "nothing": "null",
+    "this": "self", "me": "self", "Self": "self",
+}  # fmt: skip
+"""Names of constants. They are ordinary names here, so only where one is not declared is it a fault."""
+
+INFIX: Final = {
+    "and": "&&", "AND": "&&", "or": "||", "OR": "||", "mod": "%", "MOD": "%",
+    "is": "==", "equals": "==", "eq": "==", "ne": "!=", "lt": "<", "gt": ">", "le": "<=", "ge": ">=",
+    "plus": "+", "minus": "-", "times": "*", "div": "/",
+}  # fmt: skip
+"""Words between two expressions."""
+
+PREFIX: Final = {"not": "!", "NOT": "!", "minus": "-"}
+"""Words before an expression."""
+
+SIGNS: Final = {
+    "&": "&&", "|": "||", "===": "==", "!==": "!=", "<>": "!=", "=<": "<=", "=>": ">=", "=:": ":=",
+    "~=": "!=", "^=": "!=",
+    "≠": "!=", "≤": "<=", "≥": ">=", "×": "*", "·": "*", "÷": "/", "−": "-", "–": "-", "—": "-",
+    "∧": "&&", "∨": "||", "¬": "!", "←": ":=", "≔": ":=", "；": ";", "，": ",", "（": "(", "）": ")",
+    "&lt;": "<", "&gt;": ">", "&amp;&amp;": "&&", "&amp;": "&&", "&lt;=": "<=", "&gt;=": ">=",
+}  # fmt: skip
+"""Signs that mean one thing wherever they stand (the last row: a web page's source)."""
+
+SHORTHANDS: Final = {"+=": "+", "-=": "-", "*=": "*", "/=": "/", "%=": "%"}
+"""Assignments that repeat their target."""
+
+TYPES: Final = {
+    "int": "double", "integer": "double", "float": "double", "number": "double", "real": "double",
+    "long": "double", "short": "double", "num": "double", "Double": "double",
+    "boolean": "bool", "Boolean": "bool", "Bool": "bool", "logical": "bool",
+    "Entity": "entity", "object": "entity", "Object": "entity", "Ship": "entity",
+    "Asteroid": "entity", "Bullet": "entity", "ship": "entity", "asteroid": "entity",
+    "bullet": "entity", "any": "entity",
+    "var": None, "let": None, "const": None, "auto": None, "val": None, "dim": None, "local": None,
+    "global": None, "string": None, "String": None, "char": None, "list": None, "array": None,
+}  # fmt: skip
+"""Types, and words that open a declaration; None where none of ours stands for it."""
+
+KINDS: Final = {
+    "ships": "ship", "asteroids": "asteroid", "bullets": "bullet", "all": "any", "everything": "any",
+    "entities": "any", "entity": "any", "rock": "asteroid", "rocks": "asteroid",
+}  # fmt: skip
+"""What a for-each could range over."""
+
+MEMBERS: Final = {
+    "x": "getx", "y": "gety", "vx": "getvx", "vy": "getvy", "radius": "getradius", "r": "getradius",
+    "getX": "getx", "getY": "gety", "getx": "getx", "gety": "gety", "getvx": "getvx", "getvy": "getvy",
+    "getradius": "getradius", "getRadius": "getradius",
+}  # fmt: skip
+"""Fields and methods, as in `a.x`."""
+
+ELSE_IFS: Final = frozenset({"elseif", "elif", "elsif", "elsIf", "elseIf", "ElseIf"})
+"""One word for `else if`."""
+
+STATEMENTS: Final = {
+    "for": "Write `while (…) { … }`, or `foreach (asteroid, a) { … }` to visit entities",
+    "return": "A program ends after its last statement; put what should not run into an `else`",
+    "break": "Let the condition of the loop become false",
+    "continue": "Put the rest of the loop's body into an `if`",
+    "function": "Write the statements where they are needed",
+    "def": "Write the statements where they are needed",
+    "void": "Write the statements where they are needed",
+    "class": "A program is only declarations and statements",
+    "import": "A program is one text",
+    "include": "A program is one text",
+    "switch": "Write `if (…) { … } else if (…) { … }`",
+    "case": "Write `if (…) { … } else if (…) { … }`",
+    "repeat": "Write `while (…) { … }`",
+    "until": "Write `while (!(…)) { … }`",
+    "loop": "Write `while (true) { … }`",
+    "forever": "Write `while (true) { … }`",
+    "unless": "Write `if (!(…)) { … }`",
+    "try": "A program that fails is stopped; test for `null` before you read an entity",
+    "begin": "Blocks stand between `{` and `}`",
+    "end": "Blocks stand between `{` and `}`",
+    "endif": "Blocks stand between `{` and `}`",
+    "wait": "`skip;` does nothing for one run of the program (0.2 s)",
+    "sleep": "`skip;` does nothing for one run of the program (0.2 s)",
+}  # fmt: skip
+"""Words that open a statement elsewhere, each with the way to say it here."""
+
+SYNONYMS: Final = {
+    "shoot": "fire", "rotate": "turn", "println": "print", "echo": "print", "write": "print",
+    "log": "print", "pass": "skip", "nop": "skip", "forall": "foreach",
+}  # fmt: skip
+"""Words that open a statement elsewhere and have one of ours."""
+
+
+FUNCTIONS: Final = frozenset(
+    {
+        "abs", "acos", "asin", "atan", "atan2", "ceil", "distance", "exp", "floor", "fabs", "log",
+        "max", "min", "mod", "pow", "rand", "random", "round", "sign", "sqr", "tan",
+    }
+)  # fmt: skip
+"""Functions that are not misspelt but missing."""
+
+
+def closest(word: str, choices: Iterable[str]) -> str | None:
+    """The choice that `word` is most likely a misspelling of, or None.
+
+    One in another case first; else the first of the least edit distance, at most 1 for short words and 2 from six
+    letters on. Insertions, deletions, changes and swaps of neighbours count 1 (optimal string alignment). Words of
+    one or two letters resemble everything: they are no choice but in another case.
+    """
+    lowered = word.lower()
+    most = 1 if len(word) < 6 else 2
+    best: str | None = None
+    for choice in choices:
+        if lowered == choice.lower():
+            return choice
+        if len(choice) > 2 and abs(len(choice) - len(word)) <= most:
+            apart = _distance(lowered, choice)
+            if apart <= most:
+                best, most = choice, apart - 1
+    return best
+
+
+def _distance(a: str, b: str) -> int:
+    """How many edits make `b` of `a`."""
+    before: list[int] = []
+    above = list(range(len(b) + 1))
+    for i, letter in enumerate(a, 1):
+        row = [i]
+        for j, other in enumerate(b, 1):
+            least = min(above[j] + 1, row[-1] + 1, above[j - 1] + (letter != other))
+            if i > 1 and j > 1 and letter == b[j - 2] and a[i - 2] == other:
+                least = min(least, before[j - 2] + 1)
+            row.append(least)
+        before, above = above, row
+    return above[-1]

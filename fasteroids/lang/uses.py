@@ -1,0 +1,113 @@
+"""The variables of a program: where each is declared, how each is used, and what type the uses ask for.
+
+A use is *hard* evidence of a type if it says so by itself (`x == null`), *soft* if it depends on the declared type of
+another variable (`x := y`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Final, Literal
+
+from attrs import frozen
+
+from fasteroids.lang import syntax
+from fasteroids.lang.syntax import Declaration, Expression, ForEach, Name, Program, Statement, Type
+from fasteroids.lang.types import EQUALITIES, wants
+
+__all__ = ["Use", "declarations", "nodes", "uses"]
+
+Node = Statement | Expression
+How = Literal["set", "compared", "looped", "used"]
+
+
+@frozen
+class Use:
+    """A variable at one place of the text."""
+
+    name: Name
+    wanted: Type | None
+    """The type that the construct around asks of it; None if any will do, or if it is not evident."""
+    how: How
+    other: str | None = None
+    """The variable that it is set to, set from, or compared with, if it is one: both are of one type."""
+
+
+def declarations(tree: Program) -> dict[str, list[Declaration]]:
+    """All declarations of each name, in the order of the text."""
+    found: dict[str, list[Declaration]] = {}
+    for node, _ in nodes(tree):
+        if isinstance(node, Declaration) and node.target.name:
+            found.setdefault(node.target.name, []).append(node)
+    return found
+
+
+def nodes(tree: Program) -> Iterator[tuple[Node, ForEach | None]]:
+    """Every statement and expression, each before what is in it, in the order of the text.
+
+    With each comes the outermost for-each around it. Blocks are passed over; what a declaration or an assignment
+    sets, and the variable of a for-each, are names of their own.
+    """
+    todo: list[tuple[Node, ForEach | None]] = [(each, None) for each in _backwards(tree.body)]
+    while todo:
+        node, loop = todo.pop()
+        yield node, loop
+        inside: ForEach | None = loop
+        match node:
+            case syntax.If(_, then, orelse):
+                inner: list[Node] = [*_backwards(orelse), *_backwards(then)]
+            case syntax.While(_, body):
+                inner = _backwards(body)
+            case syntax.ForEach(_, _, body):
+                inner, inside = _backwards(body), loop or node
+            case _:
+                inner = []
+        todo += [(each, inside) for each in inner]
+        # The head of a for-each is not inside it, nor can it hold an action.
+        todo += [(each, loop) for each, _ in reversed([*wants(node, _NOTHING)])]
+
+
+_NOTHING: Final[Mapping[str, Type]] = {}
+
+
+def _backwards(block: syntax.Block | None) -> list[Node]:
+    return [*reversed(block.statements)] if block is not None else []
+
+
+def uses(tree: Program, variables: Mapping[str, Type]) -> dict[str, list[Use]]:
+    """The uses of each name in the order of the text; a declaration without a value is none.
+
+    `variables` are the types taken for granted: none, to get the hard evidence alone.
+    """
+    found: dict[str, list[Use]] = {}
+    for node, _ in nodes(tree):
+        asked = [*wants(node, variables)]
+        for i, (expression, wanted) in enumerate(asked):
+            if not isinstance(expression, Name) or not expression.name:
+                continue
+            other = None
+            if len(asked) == 2 and _agree(node):
+                partner = asked[1 - i][0]
+                other = partner.name if isinstance(partner, Name) else None
+            use = Use(expression, wanted, _how(node, expression), other)
+            found.setdefault(expression.name, []).append(use)
+    for each in found.values():
+        each.sort(key=lambda use: use.name.span)
+    return found
+
+
+def _agree(node: Node) -> bool:
+    """Must the two expressions of this construct be of one type, whichever it is?"""
+    return not isinstance(node, syntax.Binary) or node.operator in EQUALITIES
+
+
+def _how(node: Node, name: Name) -> How:
+    match node:
+        case syntax.Assignment(target) | syntax.Declaration(_, target) if target is name:
+            return "set"
+        case syntax.ForEach():
+            return "looped"
+        case syntax.Binary(operator) if operator in EQUALITIES:
+            return "compared"
+        case _:
+            return "used"
