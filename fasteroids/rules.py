@@ -25,6 +25,7 @@ from fasteroids.units import (
     BULLET_RADIUS,
     BULLET_SPEED,
     CHILD_SPEED_FACTOR,
+    FUEL,
     MAX_BULLETS,
     SPLIT_RADIUS,
     WINDOW,
@@ -397,6 +398,11 @@ class ShipView:
     def direction(self) -> float:
         """Where that ship faces, rad."""
         return self._ship.direction
+
+    @property
+    def fuel(self) -> int:
+        """Small steps a program may take in one tick."""
+        return FUEL
 
     def ids(self, kind: Literal["ship", "asteroid", "bullet", "any"]) -> tuple[int, ...]:
         """The ids of all entities of a kind, ascending."""
