@@ -33,6 +33,8 @@ from fasteroids.facade._handles import BulletHandle as BulletHandle
 from fasteroids.facade._handles import Handle as Handle
 from fasteroids.facade._handles import ShipHandle as ShipHandle
 from fasteroids.facade._handles import WorldHandle as WorldHandle
+from fasteroids.facade._programs import ParseOutcome as ParseOutcome
+from fasteroids.facade._programs import TypeCheckOutcome as TypeCheckOutcome
 from fasteroids.facade._time import CollisionListener as CollisionListener
 
 __all__ = [
@@ -41,6 +43,8 @@ __all__ = [
     "CollisionListener",
     "Facade",
     "Handle",
+    "ParseOutcome",
     "ShipHandle",
+    "TypeCheckOutcome",
     "WorldHandle",
 ]

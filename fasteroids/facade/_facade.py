@@ -11,6 +11,7 @@ from fasteroids.entities import Asteroid, Ship, id_of
 from fasteroids.events import act
 from fasteroids.facade._asking import Asking, a
 from fasteroids.facade._handles import AsteroidHandle, ShipHandle, WorldHandle
+from fasteroids.facade._programs import Programs
 from fasteroids.facade._time import CollisionListener, checked_listener, pass_time
 from fasteroids.state import World
 from fasteroids.units import ModelError, shown
@@ -18,7 +19,7 @@ from fasteroids.units import ModelError, shown
 __all__ = ["Facade"]
 
 
-class Facade(Asking):
+class Facade(Asking, Programs):
     """The course's facade. It has no state: all of it is in the handles, so one does, and so do several.
 
     Every method raises `ModelError` for a handle of the wrong kind and for any other argument of the wrong type;
