@@ -44,9 +44,9 @@ class Happened:
     `time` in s; `kind` one of contact, wall, limit, tick; `entities` the ids that took part, ascending; `wall`
     the side met (left, right, bottom, top); `effect` what came of it: bounce, press (two ships whose thrust holds
     them together, hopping), die or split; reach or leave for a limit; for a tick turn, fire, thrust, thrust_off,
-    skip, end, halt or fuel. `died` and `born` are ids, a bullet that dies as it is
-    fired among both; `clipped` those whose speed was scaled back to their limit; `at` the point of contact (km).
-    A tick also carries its `prints`, the `span` of source it stopped at and, halted, the `reason`.
+    skip, end, halt or fuel. `died` and `born` are ids, a bullet that dies as it is fired among both; `clipped` those
+    whose speed was scaled back to their limit; `at` the point of contact (km). A tick also carries its `prints`, the
+    `span` of source it stopped at and, halted, the `reason`.
     """
 
     time: float

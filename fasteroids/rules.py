@@ -25,7 +25,6 @@ from fasteroids.units import (
     BULLET_RADIUS,
     BULLET_SPEED,
     CHILD_SPEED_FACTOR,
-    FUEL,
     MAX_BULLETS,
     SPLIT_RADIUS,
     WINDOW,
@@ -402,7 +401,7 @@ class ShipView:
     @property
     def fuel(self) -> int:
         """Small steps a program may take in one tick."""
-        return FUEL
+        return self._world.fuel
 
     def ids(self, kind: Literal["ship", "asteroid", "bullet", "any"]) -> tuple[int, ...]:
         """The ids of all entities of a kind, ascending."""
