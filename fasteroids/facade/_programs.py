@@ -11,10 +11,9 @@ from attrs import evolve, field, frozen
 
 from fasteroids.facade._asking import a
 from fasteroids.facade._handles import ShipHandle
-from fasteroids.lang import front
-from fasteroids.lang.checker import complaints
 from fasteroids.lang.diagnostics import Diagnostic
 from fasteroids.lang.parser import Parsed, parse_bytes, parse_program
+from fasteroids.lang.ready import check_program
 from fasteroids.lang.report import rendered
 from fasteroids.lang.syntax import Program
 from fasteroids.units import ModelError, shown
@@ -108,9 +107,9 @@ class Programs:
 
     def type_check_program(self, program: Program) -> TypeCheckOutcome:
         """Is a program type-correct (1.8.3)? The outcome tells."""
-        checked = _program(program)
-        faults = _errors(complaints(checked))
-        return TypeCheckOutcome(_told(faults, checked.source), faults)
+        tree = _program(program)
+        faults = _errors(check_program(tree).diagnostics)
+        return TypeCheckOutcome(_told(faults, tree.source), faults)
 
     def set_ship_program(self, ship: ShipHandle, program: Program) -> None:
         """Have a ship run a program from its start, from its next tick on (1.6: every 0.2 s).
@@ -119,7 +118,7 @@ class Programs:
         not type-correct, with what is wrong; the ship then keeps the program it has.
         """
         handle, tree = a(ShipHandle, ship), _program(program)
-        checked = front.check_program(tree)  # type: ignore[attr-defined]
+        checked = check_program(tree)
         if checked.program is None:
             faults = _errors(checked.diagnostics)
             raise ModelError(
