@@ -3,11 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 from fasteroids.facade import AsteroidHandle, BulletHandle, Facade, ShipHandle, WorldHandle
+from fasteroids.lang.syntax import Program
 
 facade = Facade()
+
+FIRST = (Path(__file__).parents[2] / "programs" / "first.ast").read_text(encoding="utf-8")
+"""The first program of 1.8: turns by 0.2, 0.3 and so on, and fires in between."""
+
+ILL_TYPED = "double d;\nd := true;\nturn null;"
+"""Two type errors, in lines 2 and 3."""
 
 
 def ship(
@@ -48,6 +56,12 @@ def shot_by(s: ShipHandle) -> BulletHandle:
     facade.fire_bullet(s)
     (bullet,) = facade.get_bullets(home) - before
     return bullet
+
+
+def program(text: str) -> Program:
+    parsed = facade.parse_program(text).program
+    assert parsed is not None
+    return parsed
 
 
 class Listener:
