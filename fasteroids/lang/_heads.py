@@ -30,13 +30,17 @@ class Heads(Misreadings):
         """Pass over an `else if` that lies too deep, and all that follow it."""
         first = self.at
         self.tell_depth()
-        while self.skip_head():
+        more = True
+        while more:
+            self.at += 1
+            if not self.skip_head():
+                break
             self.at += 1
             self.skip_block()
             self.at += 1
-            if self.kinds[self.at] != "else":
-                break
-            self.at += 1
+            # Behind `else` the next round passes over `if`, or over nothing: its `{` is then the last.
+            more = self.kinds[self.at] == "else"
+            self.at += more and self.kinds[self.at + 1] == "if"
         self.mute = self.at
         return Block((), self.span(first, max(first, self.at - 1)))
 
@@ -50,6 +54,12 @@ class Heads(Misreadings):
         """Is the next token an `else`, or meant as one? Then it is one now."""
         kind = self.kinds[self.at]
         if kind == "else":
+            return True
+        if kind == ";" and self.kinds[self.at + 1] == "else":
+            place = self.here()
+            message = "This `;` parts the `else` from its `if`"
+            self.report("FA032", message, place, "Remove it", fix=(Edit(place, ""),))
+            self.at += 1
             return True
         word, behind = self.texts[self.at], self.kinds[self.at + 1]
         if kind != NAME or behind == ":=":
@@ -314,4 +324,4 @@ class Heads(Misreadings):
             self.report("FA024", message, place, hint, fix=fix, about=len(kinds))
 
 
-_FILLERS: Final = frozenset({"in", "of", "each", "var", "let", "all", *words.TYPES} - {"all"})
+_FILLERS: Final = frozenset({"in", "of", "each", "var", "let", *words.TYPES})
