@@ -104,14 +104,14 @@ class Heads(Misreadings):
             self.at += 1
         elif kind == ":" or (kind == ";" and kinds[self.at + 1] == "{"):
             braced = kinds[self.at + 1] == "{"
-            fix = (Edit(place, "" if braced else " {"),)
+            fix = (Edit(place, ""),) if braced else ()
             message = f"A body starts with `{{`, not with `{kind}`"
             self.report(
                 "FA015",
                 message,
                 place,
                 "Remove it" if braced else "Write `{`",
-                fix=fix if braced else (),
+                fix=fix,
             )
             self.at += 1
             self.mute = self.at
@@ -131,7 +131,9 @@ class Heads(Misreadings):
         return self.skip_head()
 
     def wrong_noise(self, noise: str) -> None:
-        """`while e then`."""
+        """`while e then`, `while e do do`."""
+        if self.kinds[self.at - 1] in ("then", "do"):
+            noise = ""
         kind, place = self.kinds[self.at], self.here()
         message = f"`{kind}` does not belong here"
         hint = f"Write `{noise}`, or nothing" if noise else "Remove it"
