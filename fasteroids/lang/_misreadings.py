@@ -156,13 +156,8 @@ class Misreadings(Expressions, ABC):
 
     def lone_else(self, depth: int) -> Statement | None:
         """`else` without its `if`."""
-        first = self.at
         hint = "An `else` stands right behind the `}` of its `if`"
-        fix: tuple[Edit, ...] = ()
-        if self.kinds[first - 2 : first] == ["}", ";"]:
-            between = self.span(first - 1, first - 1)
-            hint, fix = "Remove the `;` before it", (Edit(between, ""),)
-        self.report("FA032", "There is no `if` for this `else`", self.here(), hint, fix=fix)
+        self.report("FA032", "There is no `if` for this `else`", self.here(), hint)
         self.at += 1
         self.mute = self.at
         return self.detached(depth) if self.kinds[self.at] == "{" else None

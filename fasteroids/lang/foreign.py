@@ -129,21 +129,21 @@ FUNCTIONS: Final = frozenset(
 def closest(word: str, choices: Iterable[str]) -> str | None:
     """The choice that `word` is most likely a misspelling of, or None.
 
-    One in another case first; else the first of the least edit distance, at most 1 for short words and 2 from six
-    letters on. Insertions, deletions, changes and swaps of neighbours count 1 (optimal string alignment). Words of
-    one or two letters resemble everything: they are no choice but in another case.
+    One in another case first; else one of the least edit distance, at most 1 for short words and 2 from six letters
+    on; of several one with the same letters, else the first. Insertions, deletions, changes and swaps of neighbours
+    count 1 (optimal string alignment). Choices of one or two letters resemble everything, and do not count.
     """
     lowered = word.lower()
     most = 1 if len(word) < 6 else 2
-    best: str | None = None
+    found: list[tuple[int, bool, str]] = []
     for choice in choices:
         if lowered == choice.lower():
             return choice
         if len(choice) > 2 and abs(len(choice) - len(word)) <= most:
-            apart = _distance(lowered, choice)
+            apart = _distance(lowered, choice.lower())
             if apart <= most:
-                best, most = choice, apart - 1
-    return best
+                found.append((apart, sorted(lowered) != sorted(choice.lower()), choice))
+    return min(found, key=lambda one: one[:2])[2] if found else None
 
 
 def _distance(a: str, b: str) -> int:
