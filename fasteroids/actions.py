@@ -63,6 +63,10 @@ class EntityState(Protocol):
         """Its id."""
 
     @property
+    def kind(self) -> Literal["ship", "asteroid", "bullet"]:
+        """What it is."""
+
+    @property
     def x(self) -> float:
         """km."""
 
@@ -93,6 +97,10 @@ class View(Protocol):
     @property
     def direction(self) -> float:
         """Where that ship faces, rad in [0, 2 pi)."""
+
+    @property
+    def fuel(self) -> int:
+        """How many small steps a program may take in this tick, 0 or more."""
 
     def ids(self, kind: Literal["ship", "asteroid", "bullet", "any"]) -> tuple[int, ...]:
         """The ids of all entities of a kind, ascending, the own ship included."""

@@ -12,7 +12,7 @@ gives one; ``name`` is for people.
 from __future__ import annotations
 
 from math import cos, inf, sin, sqrt, tau
-from typing import TypeAlias, final
+from typing import Literal, TypeAlias, final
 
 from attrs import evolve, field, frozen
 
@@ -169,6 +169,11 @@ class Ship(_Disc):
                 f"program must be a checked program or None; got {shown(self.program)}"
             )
 
+    @property
+    def kind(self) -> Literal["ship"]:
+        """What it is."""
+        return "ship"
+
     def turn(self, angle: float) -> Ship:
         """The ship turned by `angle` rad, counter-clockwise (1.2). The angle must be finite."""
         return evolve(self, direction=self.direction + _finite(angle, "angle", "rad"))
@@ -204,6 +209,11 @@ class Asteroid(_Disc):
     name: str | None = field(default=None, kw_only=True)
     max_speed: float = field(default=SPEED_OF_LIGHT, kw_only=True)
     id: int | None = field(default=None, kw_only=True)
+
+    @property
+    def kind(self) -> Literal["asteroid"]:
+        """What it is."""
+        return "asteroid"
 
     @property
     def mass(self) -> float:
@@ -252,6 +262,11 @@ class Bullet(_Disc):
         object.__setattr__(self, "source", source)
         if not isinstance(self.bounced, bool):
             raise ModelError(f"bounced must be True or False; got {shown(self.bounced)}")
+
+    @property
+    def kind(self) -> Literal["bullet"]:
+        """What it is."""
+        return "bullet"
 
     @property
     def mass(self) -> float:

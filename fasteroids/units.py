@@ -18,8 +18,10 @@ __all__ = [
     "BULLET_RADIUS",
     "BULLET_SPEED",
     "CHILD_SPEED_FACTOR",
+    "FUEL",
     "MAX_ACCELERATION",
     "MAX_BULLETS",
+    "MAX_FUEL",
     "MAX_WORLD_SIZE",
     "SPEED_OF_LIGHT",
     "SPLIT_RADIUS",
@@ -71,6 +73,13 @@ CHILD_SPEED_FACTOR: Final = 1.5
 TICKS_PER_SECOND: Final = 5
 """Programs run every 0.2 s (1.6). Kept as an integer: tick k happens at the double nearest to k / 5."""
 
+FUEL: Final = 10_000
+"""Small steps a program may take in one tick, expressions included. Ours: 1.8 lets a program without an action run
+for ever, and so hang the world it is in."""
+
+MAX_FUEL: Final = 1_000_000_000
+"""The most a world may grant: a tick of minutes."""
+
 WINDOW: Final = 1024.0
 """Length of a window of time, s. A power of two, so splitting a time is exact (see `fasteroids.moments`)."""
 
@@ -99,4 +108,6 @@ def shown(value: object) -> str:
         text = repr(value)
     except ValueError:  # an integer of more digits than Python prints
         return "a huge integer"
+    except RecursionError:
+        return "something nested too deeply to show"
     return text if len(text) <= 200 else text[:197] + "..."

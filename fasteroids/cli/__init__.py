@@ -18,7 +18,9 @@ __all__ = ["main"]
 COMMANDS: Final = {
     "run": "Evolve a scene and tell what happens.",
     "audit": "Run a scene and measure how well the laws were kept.",
-    "explain": "Say which parts of the model a scene needs, and why.",
+    "trace": "Tell each small step of a ship's program.",
+    "check": "Find every fault of ship programs.",
+    "explain": "Say what a scene needs and why, or what a code means.",
 }
 """The commands, with what the help says of them."""
 
@@ -53,8 +55,8 @@ main = Commands(
     name="fasteroids",
     help="""Fasteroids: a pure-functional, event-driven Asteroids engine.
 
-    A SCENE is a file in TOML, '-' for standard input, or the name of a scene that comes with the package. Data goes
-    to standard output, talk to standard error.
+    A SCENE is a file in TOML, '-' for standard input, or the name of a scene that comes with the package. A FILE
+    is a ship program. Data goes to standard output, talk to standard error.
 
     Exit codes: 0 done, 1 findings, 2 usage or bad input, 3 a bug in fasteroids, 130 interrupted.
     """,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import stat
 import sys
+from collections.abc import Callable
 from contextlib import suppress
 from difflib import get_close_matches
 from pathlib import Path
@@ -15,13 +16,24 @@ import click
 from fasteroids.cli._guard import Refusal, mute, reason
 from fasteroids.scene import SceneError, load_scene
 from fasteroids.state import World
+from fasteroids.units import ModelError
 
-__all__ = ["STDIO", "Lines", "check_outputs", "open_scene", "shipped", "write_whole"]
+__all__ = [
+    "STDIO",
+    "Lines",
+    "check_outputs",
+    "open_scene",
+    "read_program",
+    "shipped",
+    "write_whole",
+]
 
 STDIO = "-"
 
 _MOST_BYTES = 64 * 1024 * 1024
 """Longer files are no scenes. A limit, so that a slip (a device, a disk image) does not fill the memory."""
+
+_MOST_BYTES_OF_PROGRAM = 1024 * 1024
 
 _BATCH = 64 * 1024  # characters that lines to a file wait for
 
@@ -49,8 +61,9 @@ def open_scene(scene: str, *, seed: int | None, model: str | None) -> tuple[str,
     `seed` and `model` replace those of the file. `Refusal` says what is wrong with it.
     """
     title, text = _text_of(scene)
+    folder = Path() if scene == STDIO or not Path(scene).exists() else Path(scene).parent
     try:
-        return title, load_scene(text, seed=seed, model=model)
+        return title, load_scene(text, seed=seed, model=model, read=_reader(folder))
     except SceneError as error:
         count = len(error.problems)
         head = f"{title} has {count} problems:\n" if count > 1 else f"{title}: "
@@ -61,24 +74,25 @@ def _text_of(scene: str) -> tuple[str, str]:
     if scene == STDIO:
         if sys.stdin is None:
             raise Refusal("standard input is closed")
-        return "standard input", _decoded("standard input", _read(sys.stdin.buffer))
+        return "standard input", _decoded("standard input", _read(sys.stdin.buffer, "scene"))
     path = Path(scene)
     if not path.exists() and path.name == scene and (text := shipped().get(scene)) is not None:
         return scene, text
     try:
         with path.open("rb") as file:
             title = path.name if path.name.isprintable() else repr(path.name)
-            return title, _decoded(title, _read(file))
+            return title, _decoded(title, _read(file, "scene"))
     except FileNotFoundError:
         raise Refusal(_missing(scene)) from None
     except OSError as error:
         raise Refusal(f"cannot read {reason(error)}") from None
 
 
-def _read(file: IO[bytes]) -> bytes:
-    data = file.read(_MOST_BYTES + 1)
-    if len(data) > _MOST_BYTES:
-        raise Refusal(f"a scene has at most {_MOST_BYTES} bytes; this one has more")
+def _read(file: IO[bytes], what: str) -> bytes:
+    most = _MOST_BYTES if what == "scene" else _MOST_BYTES_OF_PROGRAM
+    data = file.read(most + 1)
+    if len(data) > most:
+        raise Refusal(f"a {what} has at most {most} bytes; this one has more")
     return data
 
 
@@ -99,6 +113,36 @@ def _missing(scene: str) -> str:
     hint = f" (did you mean {near[0]!r}?)" if near else ""
     known = f", or one of these: {', '.join(names)}" if names else ""
     return f"there is no scene {scene!r}{hint}; give a file, '-' for standard input{known}"
+
+
+# Programs.
+
+
+def _reader(folder: Path) -> Callable[[str], bytes]:
+    """What reads the programs that a scene in this folder names."""
+
+    def read(name: str) -> bytes:
+        try:
+            return read_program(os.path.join(".", folder, name))  # noqa: PTH118 so that "-" is a file
+        except Refusal as refusal:
+            raise ModelError(str(refusal.message)) from None
+
+    return read
+
+
+def read_program(place: str) -> bytes:
+    """The bytes of a program: of a file, or of standard input ('-'). `Refusal` says why they cannot be had."""
+    if place == STDIO:
+        if sys.stdin is None:
+            raise Refusal("standard input is closed")
+        return _read(sys.stdin.buffer, "program")
+    try:
+        with Path(place).open("rb") as file:
+            return _read(file, "program")
+    except OSError as error:
+        raise Refusal(f"cannot read {reason(error)}") from None
+    except ValueError:  # a null character in a name
+        raise Refusal(f"cannot read {place!r}: there is no such file") from None
 
 
 # Outputs.

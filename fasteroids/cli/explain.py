@@ -1,4 +1,4 @@
-"""`fasteroids explain`: which parts of the model a scene needs, and why."""
+"""`fasteroids explain`: which parts of the model a scene needs, and why; or what a code of a fault means."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import click
 from attrs import frozen
 
 from fasteroids import models
+from fasteroids.cli import _codes as codes
 from fasteroids.cli import _options as options
 from fasteroids.cli import _records as records
 from fasteroids.cli._files import STDIO, Lines, open_scene
@@ -60,10 +61,17 @@ class Advice:
 @options.seed
 @click.option("--json", "as_json", is_flag=True, help="Print it as JSON.")
 def command(scene: str, model: str | None, seed: int | None, as_json: bool) -> int:
-    """Say which parts of the model SCENE needs, and why.
+    """Say which parts of the model SCENE needs, and why; or what a code such as FA012 means.
 
-    A part that is left out costs nothing and changes nothing. SCENE is as for `fasteroids run`.
+    A part that is left out costs nothing and changes nothing. SCENE is as for `fasteroids run`. Codes are FA and
+    three digits, and stand before what `fasteroids check` finds in a program.
     """
+    if codes.is_code(scene):
+        if model is not None or seed is not None:
+            raise click.UsageError("--model and --seed are for scenes, not for codes")
+        with Lines(STDIO) as lines:
+            lines.write(codes.told(scene, as_json=as_json))
+        return DONE
     title, world = open_scene(scene, seed=seed, model=model)
     parts, level = plan(world), advice(world)
     with Lines(STDIO) as lines:

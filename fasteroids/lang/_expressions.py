@@ -30,6 +30,7 @@ from fasteroids.lang.syntax import (
 __all__ = ["Expressions"]
 
 _ENDINGS: Final = frozenset({";", ")", "{", ",", "then", "do", "}", STRAY, END})
+_MOST_GUESSES: Final = 12
 _ODD: Final = 99
 _STRENGTH: Final = {**words.BINARY, **dict.fromkeys(_ENDINGS, 0)}.get
 _LONE: Final = frozenset(
@@ -44,6 +45,8 @@ class Expressions(Cursor):
     height = 1
     """Of the node read last: nodes from it to its farthest leaf, itself included."""
 
+    guesses = 0
+    """How many guesses inside each other led here; a text that takes many is not worth more."""
     row = -1
     """The token behind two operands in a row: a third there is told already."""
 
@@ -170,6 +173,15 @@ class Expressions(Cursor):
         if kind == ",":
             hint = "One value stands between parentheses"
             self.report("FA027", "There is one value too many", self.here(), hint, notes=notes)
+        elif kind in STARTERS and self.same_line() and (closing := self.closing(first)) is not None:
+            self.report(
+                "FA012",
+                f"Expected `)` or an operator, not {self.shown()}",
+                self.here(),
+                notes=notes,
+            )
+            self.at = closing + 1
+            return
         elif kind in _ENDINGS or kind in STARTERS or not self.same_line():
             self.tell_unclosed(self.brackets + 1, notes)
             return
@@ -208,6 +220,16 @@ class Expressions(Cursor):
 
     def no_operand(self, depth: int) -> Expression:
         """An expression was to start at the next token."""
+        if self.guesses >= _MOST_GUESSES:
+            self.skip_expression()
+            return Missing(self.behind())
+        self.guesses += 1
+        found = self.guess_operand(depth)
+        self.guesses -= 1
+        return found
+
+    def guess_operand(self, depth: int) -> Expression:
+        """What may be meant as one."""
         first, kinds = self.at, self.kinds
         kind = kinds[first]
         if kind == BROKEN:
@@ -295,6 +317,16 @@ class Expressions(Cursor):
         The expression to go on with (perhaps the same, with the next token read as an operator), or None if the
         expression ends here after all.
         """
+        if self.guesses >= _MOST_GUESSES:
+            self.skip_expression()
+            return None
+        self.guesses += 1
+        guess = self.guess(first, left, depth)
+        self.guesses -= 1
+        return guess
+
+    def guess(self, first: int, left: Expression, depth: int) -> Expression | None:
+        """What may be meant there."""
         kinds = self.kinds
         kind = kinds[self.at]
         if kind == NAME and self.infix_word():

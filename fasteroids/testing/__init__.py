@@ -18,24 +18,32 @@ from fasteroids.testing.scripts import Script as Script
 from fasteroids.testing.strategies import actions as actions
 from fasteroids.testing.strategies import discs as discs
 from fasteroids.testing.strategies import formations as formations
+from fasteroids.testing.strategies import machines as machines
 from fasteroids.testing.strategies import pairs as pairs
 from fasteroids.testing.strategies import scripts as scripts
 from fasteroids.testing.strategies import worlds as worlds
 from fasteroids.testing.trees import trees as trees
+from fasteroids.testing.views import DictView as DictView
+from fasteroids.testing.views import histories as histories
+from fasteroids.testing.views import views as views
 
 __all__ = [
+    "DictView",
     "Run",
     "Script",
     "actions",
     "discs",
     "expressions",
     "formations",
+    "histories",
     "keeping",
+    "machines",
     "pairs",
     "program_texts",
     "programs",
     "scripts",
     "trees",
     "unfold",
+    "views",
     "worlds",
 ]

@@ -1,0 +1,88 @@
+"""The language front end as a whole: text in, all that is wrong with it out."""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_left, bisect_right, insort
+from collections.abc import Iterable, Sequence
+from itertools import accumulate
+from typing import Final
+
+from fasteroids.lang.checker import complaints
+from fasteroids.lang.diagnostics import Diagnostic
+from fasteroids.lang.parser import Parsed, parse_bytes, parse_program
+
+__all__ = ["diagnose", "diagnose_bytes", "mended"]
+
+_LINE_END: Final = re.compile(r"\r\n?|\n")
+
+
+def diagnose(text: str) -> tuple[Diagnostic, ...]:
+    """Every syntax error and every type error of a program, by place. Never raises.
+
+    A type error in a piece that a syntax error is about is left out: it may be a mere consequence.
+    """
+    return _diagnosed(parse_program(text))
+
+
+def diagnose_bytes(data: bytes) -> tuple[str, tuple[Diagnostic, ...]]:
+    """The text of a file of a program, and all that is wrong with it, its encoding included. Never raises."""
+    parsed = parse_bytes(data)
+    return parsed.tree.source, _diagnosed(parsed)
+
+
+def _diagnosed(parsed: Parsed) -> tuple[Diagnostic, ...]:
+    return _joined(parsed.diagnostics, complaints(parsed.tree))
+
+
+def _joined(first: Iterable[Diagnostic], others: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
+    """Both by place, without those of the others that lie in a piece one of the first is about."""
+    kept = [*first]
+    told = sorted(each.span for each in kept)
+    reach = [*accumulate((span.end for span in told), max)]
+    for each in others:
+        before = bisect_right(told, each.span.start, key=lambda span: span.start)
+        if not (before and each.span.end <= reach[before - 1]):
+            kept.append(each)
+    return tuple(sorted(kept, key=lambda each: each.span))
+
+
+def mended(text: str, diagnostics: Iterable[Diagnostic]) -> str:
+    """The text with the fixes of these diagnostics put in.
+
+    Each is put in whole or not at all: not if it would change a piece that an earlier one changes. What is put in at
+    one place keeps the order of the diagnostics. Places outside the text count as its end.
+    """
+    starts = [0, *(end.end() for end in _LINE_END.finditer(text))]
+
+    def offset(line: int, column: int) -> int:
+        return min(starts[line - 1] + column - 1, len(text)) if line <= len(starts) else len(text)
+
+    taken: list[_Change] = []
+    for each in diagnostics:
+        changes = [
+            (offset(*edit.span.start), offset(*edit.span.end), edit.text) for edit in each.fix
+        ]
+        if all(_free(taken, start, end) for start, end, _ in changes):
+            for change in changes:
+                insort(taken, change, key=lambda one: one[:2])
+    pieces, at = [], 0
+    for start, end, new in taken:
+        pieces += [text[at:start], new]
+        at = end
+    return "".join(pieces) + text[at:]
+
+
+_Change = tuple[int, int, str]
+
+
+def _free(taken: Sequence[_Change], start: int, end: int) -> bool:
+    """Is nothing changed yet between two offsets? What was put in at either of them does not matter."""
+    i = bisect_left(taken, start, key=lambda one: one[0])
+    if i and taken[i - 1][1] > start:
+        return False
+    while i < len(taken) and taken[i][0] < end:
+        if taken[i][0] > start or taken[i][1] > start:
+            return False
+        i += 1
+    return True
