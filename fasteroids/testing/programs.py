@@ -223,10 +223,11 @@ def _subject(draw: st.DrawFn, scope: _Scope) -> Expression:
 _DEPTH: Final = 3  # of expressions in statements
 
 
-def _block(scope: _Scope, room: int) -> st.SearchStrategy[Block]:
+@st.composite
+def _block(draw: st.DrawFn, scope: _Scope, room: int) -> Block:
     """Up to as many statements as there is room, and three; more where some belong together."""
-    rows = st.lists(_statement(scope, room), max_size=room + 3)
-    return rows.map(lambda rows: Block(tuple(s for row in rows for s in row)))
+    rows = draw(st.lists(_statement(scope, room), max_size=room + 3))
+    return Block(tuple(s for row in rows for s in row))
 
 
 @st.composite
