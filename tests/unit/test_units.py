@@ -25,6 +25,7 @@ from fasteroids import ModelError, units
         ("TICKS_PER_SECOND", 5),
         ("WINDOW", 1024.0),
         ("MAX_ACCELERATION", 2.0**1000),
+        ("FUEL", 10_000),
     ],
 )
 def test_constants_are_those_of_the_text(name: str, value: float) -> None:
@@ -34,7 +35,7 @@ def test_constants_are_those_of_the_text(name: str, value: float) -> None:
 def test_every_constant_is_tested_here() -> None:
     public = {name for name in vars(units) if name.isupper()}
     assert public <= set(units.__all__)
-    assert len(public) == 13
+    assert len(public) == 14
 
 
 def test_model_error_is_a_value_error() -> None:
