@@ -364,7 +364,8 @@ def _leapt(
     """Whole instructions, see `fasteroids.lang.fast`."""
     code, store = machine.code, machine.store
     first = machine.todo.first
-    if code.blocks[first.block][first.index].worst > fuel:
+    instruction = code.blocks[first.block][first.index]
+    if instruction.worst > fuel or not instruction.sound:
         return machine, None, fuel, None
     stack: list[Entry] = [
         (f.block, f.index, list(f.rest)[::-1] if isinstance(f, Each) else None)

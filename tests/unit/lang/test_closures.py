@@ -1,0 +1,83 @@
+"""Closures: they count what they skip, give up where the steps get stuck, and are what `run` uses."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from fasteroids.lang import machine as machines
+from fasteroids.lang.closures import Reading, typed
+from fasteroids.lang.machine import run
+from fasteroids.lang.syntax import Expression, Print, Type
+from fasteroids.lang.values import Stuck
+from tests.unit.lang.running import loaded, ready, view
+
+TYPES: dict[str, Type] = {"p": "bool", "q": "bool", "x": "double", "e": "entity"}
+
+
+def expression(text: str) -> Expression:
+    statement = ready(f"print {text};").program.body.statements[0]
+    assert isinstance(statement, Print)
+    return statement.value
+
+
+@pytest.mark.parametrize(
+    ("text", "p", "value", "skipped"),
+    [
+        ("p && q", False, False, 2),
+        ("p && q", True, True, 0),
+        ("p || q", True, True, 2),
+        ("p || 1 < 2", True, True, 4),
+        ("(p && 1 < 2) || (p && 3 < 4)", False, False, 8),
+        ("p && (q || 1 < 2)", True, True, 4),
+        ("p && (q || 1 < 2)", False, False, 7),
+    ],
+)
+def test_a_closure_counts_the_steps_it_skips(text: str, p: bool, value: bool, skipped: int) -> None:
+    made = typed(expression(text), TYPES)
+    assert made is not None
+    world = Reading(view())
+    assert made.closure({"p": p, "q": True}, world) is value
+    assert world.skipped == skipped
+
+
+def test_a_closure_is_stuck_on_null() -> None:
+    made = typed(expression("getx e"), TYPES)
+    assert made is not None
+    with pytest.raises(Stuck):
+        made.closure({"e": None}, Reading(view()))
+
+
+@pytest.mark.parametrize(
+    "text", ["p + x", "getx x", "-p", "!x", "sqrt(e)", "p == x", "e < e", "z", "x && p"]
+)
+def test_what_is_ill_typed_has_none(text: str) -> None:
+    assert typed(expression(text), TYPES) is None
+
+
+def test_a_run_takes_small_steps_only_where_it_must(monkeypatch: pytest.MonkeyPatch) -> None:
+    taken = []
+    step = machines.step
+
+    def counted(*args: Any) -> Any:
+        taken.append(args)
+        return step(*args)
+
+    monkeypatch.setattr(machines, "step", counted)
+    text = "double n; entity e; while (n < 5) { n := n + 1; foreach (any, e) { print n; } } turn n;"
+    assert run(loaded(text), view(), 1_000).action is not None
+    assert taken == []
+    assert run(loaded("double n; print 1; n := getx null; print 2;"), view(), 1_000).action is None
+    assert len(taken) == 2  # null, and the getter that is stuck
+    taken.clear()
+    assert run(loaded("print 1; print 1 + 2;"), view(), 5).left == 0
+    assert len(taken) == 3  # fuel for three of the four steps of the second
+
+
+def test_a_closure_that_got_stuck_after_skipping_leaves_nothing_behind() -> None:
+    text = "entity e; bool p; print (p && true) || getx e > 0;"
+    fast = run(loaded(text), view(), 1_000)
+    assert fast == machines.run_by_steps(loaded(text), view(), 1_000)
+    text = "bool p; print 1; turn 1 / 0; print p && p;"
+    assert run(loaded(text), view(), 99) == machines.run_by_steps(loaded(text), view(), 99)
