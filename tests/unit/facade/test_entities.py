@@ -87,6 +87,12 @@ def test_bullet_getters_read_a_bullet_right_next_to_its_ship(world: WorldHandle)
     assert facade.get_bullet_source(b) is s
 
 
+def test_get_bullet_source_tells_whose_it_is(world: WorldHandle) -> None:
+    ships = [ship_in(world, 100, y) for y in (300, 500, 700)]
+    bullets = [shot_by(s) for s in reversed(ships)]
+    assert [facade.get_bullet_source(b) for b in reversed(bullets)] == ships
+
+
 # What ships do.
 
 

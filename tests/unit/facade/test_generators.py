@@ -99,3 +99,16 @@ def test_drawn_children_do_not_depend_on_how_time_is_cut() -> None:
         ends.append((dict(world.world.entities), generator.getstate()))
         assert len(facade.get_asteroids(world)) == 2
     assert ends[0] == ends[1]
+
+
+def test_children_fly_on_as_drawn_after_a_split_in_the_middle_of_a_step() -> None:
+    world = facade.create_world(1000, 1000)
+    facade.add_asteroid(world, facade.create_asteroid(500, 500, 0, 8, 32, Given(0.25)))
+    facade.fire_bullet(ship_in(world, 100, 500, m=1e30))
+    facade.evolve(world, 2)
+    hit = (500 - 32 - 3 - 113) / 250
+    # They start 16 km off the place of the hit, at 12 km/s, up and down.
+    assert [e.vx for e in world.world.asteroids] == pytest.approx([0, 0], abs=1e-14)
+    assert [e.y for e in world.world.asteroids] == pytest.approx(
+        [500 + 8 * hit + sign * (16 + 12 * (2 - hit)) for sign in (1, -1)], abs=0.5
+    )

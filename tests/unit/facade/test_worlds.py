@@ -141,6 +141,17 @@ def test_a_removed_ship_may_come_back_or_go_elsewhere(world: WorldHandle) -> Non
     assert position(s) == (110, 100)
 
 
+def test_who_left_is_not_touched_by_what_happens_to_those_who_stayed(world: WorldHandle) -> None:
+    s, _ = ship_in(world, 100, 500, 10, 0), rock_in(world, 140, 500)
+    away = ship_in(world, 800, 800, 1, 0)
+    facade.remove_ship(world, away)
+    facade.evolve(world, 1)
+    assert facade.get_ship_world(s) is None
+    assert position(away) == (800, 800)
+    facade.add_ship(world, away)
+    assert facade.get_ships(world) == {away}
+
+
 def test_the_dead_never_come_back(world: WorldHandle) -> None:
     s, _ = ship_in(world, 100, 500, 10, 0), rock_in(world, 140, 500)
     facade.evolve(world, 1)
