@@ -73,7 +73,11 @@ class Misreadings(Expressions, ABC):
             return self.unreadable(depth)
         if kind == "{":
             self.report("FA033", "A block belongs to an `if`, `else`, `while` or `foreach`", place)
-            return self.detached(depth)
+            block = self.detached(depth)
+            if self.kinds[self.at] == "{":
+                # A row of them is told once.
+                self.mute = self.at
+            return block
         if kind == "else":
             return self.lone_else(depth)
         if kind in words.KINDS and behind == NAME:

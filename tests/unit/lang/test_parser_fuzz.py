@@ -26,8 +26,8 @@ PROGRAMS = [
 GOOD = [text for text in PROGRAMS if parse_program(text).program is not None]
 
 WORDS = [
-    *sorted(words.KEYWORDS), "x", "y", "a", "and", "not", "for", "int", "elif", "in", "foo", "trun",
-    "asteriod", "off", "pass",
+    *sorted(words.KEYWORDS),
+    "x", "y", "a", "and", "not", "for", "int", "elif", "in", "foo", "trun", "asteriod", "off", "pass",
 ]  # fmt: skip
 SIGNS = [
     *words.SIGNS, "=", ":", "++", "+=", "=!", "?", "@", "**", ".", ".x", '"', '"a"', "'", "/*", "*/", "//", "#",
