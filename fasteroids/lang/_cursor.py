@@ -12,8 +12,8 @@ from typing import Final
 
 from fasteroids.lang import foreign, words
 from fasteroids.lang.diagnostics import Diagnostic, Edit, Note
-from fasteroids.lang.foreign import closest
 from fasteroids.lang.lexer import BROKEN, END, NAME, NUMBER, STRAY, Tokens, quoted
+from fasteroids.lang.names import closest_word
 from fasteroids.lang.source import Span
 
 __all__ = ["ENDINGS", "OPERANDS", "STARTERS", "Cursor"]
@@ -181,4 +181,4 @@ class Cursor:
         if self.suggestions <= 0 or len(word) > 12:
             return None
         self.suggestions -= 1
-        return closest(word, choices)
+        return closest_word(word, choices)

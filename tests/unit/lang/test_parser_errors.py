@@ -9,7 +9,8 @@ import pytest
 
 from fasteroids.lang.codes import CODES, SYNTAX
 from fasteroids.lang.diagnostics import Diagnostic
-from fasteroids.lang.foreign import CONSTANTS, KINDS, closest
+from fasteroids.lang.foreign import CONSTANTS, KINDS
+from fasteroids.lang.names import closest_word
 from fasteroids.lang.parser import parse_program
 from fasteroids.lang.source import Span
 from fasteroids.lang.syntax import (
@@ -422,7 +423,7 @@ def test_braces_that_balance_are_left_alone_however_they_are_indented() -> None:
     ],
 )  # fmt: skip
 def test_the_closest_word_is_found_or_none(word: str, meant: str | None) -> None:
-    assert closest(word, sorted(KEYWORDS)) == meant
+    assert closest_word(word, sorted(KEYWORDS)) == meant
 
 
 def test_tables_of_foreign_words_lead_to_words_of_the_language() -> None:
