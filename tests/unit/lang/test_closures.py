@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from math import inf, nan
 from typing import Any
 
 import pytest
+from attrs import evolve
+from hypothesis import given
+from hypothesis import strategies as st
 
 from fasteroids.lang import machine as machines
 from fasteroids.lang.closures import Reading, typed
 from fasteroids.lang.machine import run
-from fasteroids.lang.syntax import Expression, Print, Type
-from fasteroids.lang.values import Stuck
-from tests.unit.lang.running import loaded, ready, view
+from fasteroids.lang.syntax import Binary, Expression, Name, Print, Type, Unary
+from fasteroids.lang.values import BINARY, GETTERS, UNARY, Stuck, Value, binary, exact, unary
+from tests.unit.lang.running import ROCK, SHIP, loaded, ready, view
 
 TYPES: dict[str, Type] = {"p": "bool", "q": "bool", "x": "double", "e": "entity"}
 
@@ -75,9 +79,53 @@ def test_a_run_takes_small_steps_only_where_it_must(monkeypatch: pytest.MonkeyPa
     assert len(taken) == 3  # fuel for three of the four steps of the second
 
 
-def test_a_closure_that_got_stuck_after_skipping_leaves_nothing_behind() -> None:
-    text = "entity e; bool p; print (p && true) || getx e > 0;"
-    fast = run(loaded(text), view(), 1_000)
-    assert fast == machines.run_by_steps(loaded(text), view(), 1_000)
-    text = "bool p; print 1; turn 1 / 0; print p && p;"
-    assert run(loaded(text), view(), 99) == machines.run_by_steps(loaded(text), view(), 99)
+@pytest.mark.parametrize(
+    "stuck", ["print (p && true) || getx e > 0;", "if (p || !p) { turn 0 / 0; }"]
+)
+def test_what_got_stuck_after_skipping_leaves_nothing_behind(stuck: str) -> None:
+    world = Reading(view())
+    declared = "bool p; entity e; print p && p; "
+    fast = run(loaded(declared + stuck), world, 1_000)
+    assert fast == machines.run_by_steps(loaded(declared + stuck), view(), 1_000)
+    after = run(loaded("print 1;"), world, 10)
+    assert after.left == 8
+
+
+doubles = st.one_of(
+    st.sampled_from([0.0, -0.0, 1.0, -1.0, 2.5, inf, -inf, nan, 5e-324, 1e308]), st.floats()
+)
+operands: dict[Type, st.SearchStrategy[Value]] = {
+    "double": doubles,
+    "bool": st.booleans(),
+    "entity": st.sampled_from([None, SHIP, ROCK, evolve(ROCK, x=1.5)]),
+}
+
+
+@given(st.sampled_from(sorted({*UNARY, *GETTERS})), st.data())
+def test_each_unary_closure_gives_the_bits_of_its_operation(
+    operator: str, data: st.DataObject
+) -> None:
+    type_ = UNARY[operator][0] if operator in UNARY else "entity"
+    a = data.draw(operands[type_])
+    made = typed(Unary(operator, Name("a")), {"a": type_})
+    assert made is not None
+    try:
+        wanted = unary(operator, a)
+    except Stuck:
+        with pytest.raises(Stuck):
+            made.closure({"a": a}, Reading(view()))
+    else:
+        assert exact(made.closure({"a": a}, Reading(view()))) == exact(wanted)
+
+
+@given(st.sampled_from(sorted(BINARY)), st.data())
+def test_each_binary_closure_gives_the_bits_of_its_operation(
+    operator: str, data: st.DataObject
+) -> None:
+    type_ = BINARY[operator][0] or data.draw(st.sampled_from(sorted(operands)))
+    a, b = data.draw(operands[type_]), data.draw(operands[type_])
+    made = typed(Binary(operator, Name("a"), Name("b")), {"a": type_, "b": type_})
+    assert made is not None
+    assert made.type == BINARY[operator][1]
+    got = made.closure({"a": a, "b": b}, Reading(view()))
+    assert exact(got) == exact(binary(operator, a, b))

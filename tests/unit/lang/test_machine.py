@@ -341,6 +341,11 @@ def test_a_step_shares_what_it_does_not_change() -> None:
     assert following.code is machine.code
 
 
+def test_a_run_tells_the_zeros_apart() -> None:
+    machine = run(loaded("double x; x := -x; print 1;"), view(), 3).machine
+    assert str(machine.store["x"]) == "-0.0"
+
+
 def test_machines_are_equal_to_the_bit() -> None:
     code = loaded("double x; skip;").code
     todo = started(code).todo  # type: ignore[union-attr]
