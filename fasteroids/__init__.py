@@ -20,6 +20,8 @@ from fasteroids.events import evolve_until as evolve_until
 from fasteroids.events import happenings as happenings
 from fasteroids.events import time_to_contact as time_to_contact
 from fasteroids.events import time_to_wall as time_to_wall
+from fasteroids.lang import check_program as check_program
+from fasteroids.lang import parse_program as parse_program
 from fasteroids.scene import dump_scene as dump_scene
 from fasteroids.scene import load_scene as load_scene
 from fasteroids.state import World as World
@@ -39,11 +41,13 @@ __all__ = [
     "World",
     "act",
     "bounce",
+    "check_program",
     "dump_scene",
     "evolve",
     "evolve_until",
     "happenings",
     "load_scene",
+    "parse_program",
     "time_to_contact",
     "time_to_wall",
 ]

@@ -236,8 +236,8 @@ def _errors(size: float, speed: float, pull: float, t: float) -> tuple[float, fl
     are the sums of the speeds at the start and of the constant accelerations. The way flown, at most
     W = (speed + pull t) t, is computed to 8 u W in each of two components; adding it to the start costs u S, the
     differences and the root of r 4 u |r| <= 4 u S, the radii or the wall and the last subtraction 3 u S. Together at
-    most 8 u S + 16 u W. A velocity is computed to 4 u of its size in each component, and D' adds less than that:
-    16 u (speed + pull t). What underflow may take from the products is covered by 2^-1000.
+    most 8 u S + 16 u W. A velocity is computed to 5 u of its size in each component (4.2 u is the worst measured), and
+    D' adds less than that: 16 u (speed + pull t). What underflow may take from the products is covered by 2^-1000.
     """
     fast = speed + pull * t
     return 64.0 * _U * size + 16.0 * _U * fast * t + _TINY, 16.0 * _U * fast + _TINY

@@ -126,7 +126,7 @@ def meeting(
     until = max(min(ends_f - s, ends_g - t), 0.0)
     parted = f.bounced_off == b.id and g.bounced_off == a.id
     p, q = f.path, g.path
-    # A course without end is straight: advancement then asks the formula for straight lines.
+    # Two courses without end need no quartic: advancement asks the formula for straight lines where nothing bends.
     if until < inf and not isinstance(p, Limited) and not isinstance(q, Limited):
         axa, aya = (0.0, 0.0) if p is None else (p.ax, p.ay)
         axb, ayb = (0.0, 0.0) if q is None else (q.ax, q.ay)

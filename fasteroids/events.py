@@ -33,6 +33,7 @@ __all__ = [
     "storm_limit",
     "time_to_contact",
     "time_to_wall",
+    "unfold",
 ]
 
 
@@ -43,9 +44,9 @@ class Happened:
     `time` in s; `kind` one of contact, wall, limit, tick; `entities` the ids that took part, ascending; `wall`
     the side met (left, right, bottom, top); `effect` what came of it: bounce, press (two ships whose thrust holds
     them together, hopping), die or split; reach or leave for a limit; for a tick turn, fire, thrust, thrust_off,
-    skip, end, halt or fuel. `died` and `born` are ids, a bullet that dies as it is
-    fired among both; `clipped` those whose speed was scaled back to their limit; `at` the point of contact (km).
-    A tick also carries its `prints`, the `span` of source it stopped at and, halted, the `reason`.
+    skip, end, halt or fuel. `died` and `born` are ids, a bullet that dies as it is fired among both; `clipped` those
+    whose speed was scaled back to their limit; `at` the point of contact (km). A tick also carries its `prints`, the
+    `span` of source it stopped at and, halted, the `reason`.
     """
 
     time: float
@@ -100,7 +101,7 @@ def happenings(
                 f"the world is at {world.time!r} s already; it cannot go back to {until!r} s"
             )
         clock = world.clock  # its time is only the double nearest to its clock
-    return _unfold(world, clock, max_events)
+    return unfold(world, clock, max_events)
 
 
 def evolve_until(world: World, time: float) -> World:
@@ -113,7 +114,7 @@ def evolve(world: World, dt: float) -> World:
 
     `ModelError` if dt is nan, negative or infinite. evolve(world, 0) runs what is due now.
     """
-    return _fold(_unfold(world, advanced(world.clock, dt), None))
+    return _fold(unfold(world, advanced(world.clock, dt)))
 
 
 def _fold(unfold: Generator[tuple[Happened, World], None, World]) -> World:
@@ -130,9 +131,13 @@ def storm_limit(entities: int) -> int:
     return 10_000 + 100 * entities
 
 
-def _unfold(
-    world: World, until: Clock, max_events: int | None
+def unfold(
+    world: World, until: Clock, max_events: int | None = None
 ) -> Generator[tuple[Happened, World], None, World]:
+    """What `happenings` unfolds, up to a clock: for those who step as `evolve` does, and carry the residue.
+
+    The clock (see `fasteroids.moments.advanced`) must not be before the world's.
+    """
     end, now = until[:2], world.now
     left = -1 if max_events is None else max_events
     crowd = 0

@@ -25,7 +25,6 @@ from fasteroids.units import (
     BULLET_RADIUS,
     BULLET_SPEED,
     CHILD_SPEED_FACTOR,
-    FUEL,
     MAX_BULLETS,
     SPLIT_RADIUS,
     WINDOW,
@@ -39,8 +38,10 @@ __all__ = [
     "ShipView",
     "apply",
     "bounce",
+    "children",
     "contact",
     "fire",
+    "fired",
     "kick",
     "limit",
     "past_limit",
@@ -163,7 +164,8 @@ def deaths(seed: int, now: Moment, next_id: int, dying: Iterable[Entity]) -> Cha
     dead = sorted(dying, key=id_of)
     for e in dead:
         if type(e) is Asteroid and e.radius >= SPLIT_RADIUS:
-            for child, fast in children(seed, e, next_id + len(born)):
+            angle = chance.angle(seed, id_of(e), "split")
+            for child, fast in children(angle, e, next_id + len(born)):
                 born.append(flight(now, child, 0, None, None))
                 clipped += [id_of(child)] * fast
     return Change(
@@ -174,13 +176,12 @@ def deaths(seed: int, now: Moment, next_id: int, dying: Iterable[Entity]) -> Cha
     )
 
 
-def children(seed: int, parent: Asteroid, first_id: int) -> list[tuple[Asteroid, bool]]:
+def children(angle: float, parent: Asteroid, first_id: int) -> list[tuple[Asteroid, bool]]:
     """The two children of an asteroid where it died, and whether each was clipped at its speed limit (1.7).
 
-    Half its radius each, on one random axis through its centre, r / 2 from it on either side, flying apart
-    along that axis with 1.5 times its speed.
+    Half its radius each, on one axis through its centre, r / 2 from it on either side, flying apart along that
+    axis with 1.5 times its speed; the first goes the way of `angle` (rad).
     """
-    angle = chance.angle(seed, id_of(parent), "split")
     c, s = cos(angle), sin(angle)
     half = 0.5 * parent.radius
     speed = CHILD_SPEED_FACTOR * parent.speed
@@ -346,18 +347,8 @@ def fire(world: World, ship: Entity) -> Change:
     shots = [f for f in world.flights if f is not None and own_bullet(f.entity, ship)]
     if len(shots) >= MAX_BULLETS:
         return Change("fire")
-    c, s = cos(ship.direction), sin(ship.direction)
-    reach = ship.radius + BULLET_RADIUS
     bullet_id = world.roster.next_id
-    bullet = Bullet(
-        ship.x + reach * c,
-        ship.y + reach * s,
-        BULLET_SPEED * c,
-        BULLET_SPEED * s,
-        BULLET_RADIUS,
-        ship,  # type: ignore[arg-type]
-        id=bullet_id,
-    )
+    bullet = fired(ship, bullet_id)
     here = Placed(bullet, slack(bullet, 0.0, resolution(world.now)))
     if outside(here, world.width, world.height):
         return Change("fire")
@@ -369,6 +360,21 @@ def fire(world: World, ship: Entity) -> Change:
             death = deaths(world.seed, world.now, bullet_id + 1, (occupant,))
             return death._replace(effect="fire", passing=(bullet_id,))
     return Change("fire", born=(flight(world.now, bullet, 0, None, None),))
+
+
+def fired(ship: Ship, bullet_id: int) -> Bullet:
+    """The bullet a ship fires from where it is (1.4): next to it the way it faces, whatever the ship's velocity."""
+    c, s = cos(ship.direction), sin(ship.direction)
+    reach = ship.radius + BULLET_RADIUS
+    return Bullet(
+        ship.x + reach * c,
+        ship.y + reach * s,
+        BULLET_SPEED * c,
+        BULLET_SPEED * s,
+        BULLET_RADIUS,
+        id_of(ship),
+        id=bullet_id,
+    )
 
 
 # Ticks.
@@ -395,7 +401,7 @@ class ShipView:
     @property
     def fuel(self) -> int:
         """Small steps a program may take in one tick."""
-        return FUEL
+        return self._world.fuel
 
     def ids(self, kind: Literal["ship", "asteroid", "bullet", "any"]) -> tuple[int, ...]:
         """The ids of all entities of a kind, ascending."""

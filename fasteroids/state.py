@@ -31,7 +31,7 @@ from fasteroids.moments import (
 )
 from fasteroids.overlap import Placed, depth, first_overlap, grace, outside, slack
 from fasteroids.paths import Path, path_of
-from fasteroids.units import MAX_WORLD_SIZE, ModelError, number, shown
+from fasteroids.units import FUEL, MAX_FUEL, MAX_WORLD_SIZE, ModelError, number, shown
 
 __all__ = ["Cache", "Flight", "Roster", "World", "located", "path", "push"]
 
@@ -137,26 +137,33 @@ def _model(_world: World, _attribute: Any, value: str) -> None:
     models.named(value)
 
 
+def _fuel(_world: World, _attribute: Any, value: int) -> None:
+    if type(value) is not int or not 1 <= value <= MAX_FUEL:
+        raise ModelError(f"fuel must be an integer from 1 to {MAX_FUEL}; got {shown(value)}")
+
+
 @frozen(eq=False, weakref_slot=False)
 class World:
     """A rectangle of space with what flies in it, at one moment. A value: every operation returns a new one.
 
     Requires: 0 <= width, height <= `units.MAX_WORLD_SIZE` (km); seed an integer of 4096 bits at most;
-        model the name of a level.
+        model the name of a level; fuel, the steps a program may take in a tick, an integer from 1 to
+        `units.MAX_FUEL`.
     Returns: an empty world at time 0.
     Raises: `ModelError` where a requirement is broken.
-    Invariant: width, height, seed and model never change (tests/properties/test_purity.py).
+    Invariant: width, height, seed, model and fuel never change (tests/properties/test_purity.py).
     Invariant: every entity is in bounds and overlaps no other, but for a bullet and its source, up to a margin
         computed from the numbers (tests/properties/test_containment.py).
     Invariant: no id is in it twice or comes back (tests/properties/test_rules.py).
 
-    Two worlds are equal if their model, size, seed, clock and flights by id are.
+    Two worlds are equal if their model, size, seed, fuel, clock and flights by id are.
     """
 
     width: float = field(validator=_size)
     height: float = field(validator=_size)
     seed: int = field(default=0, validator=_seed)
     model: str = field(default=models.DEFAULT, validator=_model)
+    fuel: int = field(default=FUEL, validator=_fuel, kw_only=True, repr=False)
     clock: Clock = field(default=START, kw_only=True, repr=False)
     flights: PVector[Flight | None] = field(factory=pvector, kw_only=True, repr=False)
     roster: Roster = field(default=Roster(pmap(), (), 1), kw_only=True, repr=False)
@@ -265,7 +272,7 @@ class World:
     # What makes it a value.
 
     def _key(self) -> tuple[object, ...]:
-        return self.model, self.width, self.height, self.seed, self.clock
+        return self.model, self.width, self.height, self.seed, self.fuel, self.clock
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, World):
@@ -279,7 +286,8 @@ class World:
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _restored, (
-            self.width, self.height, self.seed, self.model, self.clock, self.flights, self.roster,
+            self.width, self.height, self.seed, self.model, self.fuel,
+            self.clock, self.flights, self.roster,
         )  # fmt: skip
 
 
@@ -412,4 +420,6 @@ def replaced(
     if cache is not None:
         cache.replace(clock, changed, born_slots, dead_slots)
     box = [] if cache is None else [cache]
-    return _world(world.width, world.height, world.seed, world.model, clock, flights, roster, box)
+    return _world(
+        world.width, world.height, world.seed, world.model, world.fuel, clock, flights, roster, box
+    )

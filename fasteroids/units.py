@@ -21,6 +21,7 @@ __all__ = [
     "FUEL",
     "MAX_ACCELERATION",
     "MAX_BULLETS",
+    "MAX_FUEL",
     "MAX_WORLD_SIZE",
     "SPEED_OF_LIGHT",
     "SPLIT_RADIUS",
@@ -75,6 +76,9 @@ TICKS_PER_SECOND: Final = 5
 FUEL: Final = 10_000
 """Small steps a program may take in one tick, expressions included. Ours: 1.8 lets a program without an action run
 for ever, and so hang the world it is in."""
+
+MAX_FUEL: Final = 1_000_000_000
+"""The most a world may grant: a tick of minutes."""
 
 WINDOW: Final = 1024.0
 """Length of a window of time, s. A power of two, so splitting a time is exact (see `fasteroids.moments`)."""

@@ -18,8 +18,9 @@ __all__ = ["main"]
 COMMANDS: Final = {
     "run": "Evolve a scene and tell what happens.",
     "audit": "Run a scene and measure how well the laws were kept.",
+    "trace": "Tell each small step of a ship's program.",
     "check": "Find every fault of ship programs.",
-    "explain": "Say which parts of the model a scene needs, or what a code of a fault means.",
+    "explain": "Say what a scene needs and why, or what a code means.",
 }
 """The commands, with what the help says of them."""
 

@@ -34,15 +34,15 @@ def _text(name: str, code: Code) -> str:
         [
             f"{name}: {code.title} ({code.phase})",
             "",
-            *textwrap.wrap(code.why, _WIDE),
+            *textwrap.wrap(code.why, _WIDE, break_on_hyphens=False),
             "",
             "Wrong:",
             "",
-            textwrap.indent(code.wrong.rstrip("\n"), "    "),
+            textwrap.indent(code.wrong, "    "),
             "",
             "Right:",
             "",
-            textwrap.indent(code.right.rstrip("\n"), "    "),
+            textwrap.indent(code.right, "    "),
         ]
     )
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from typing import Any
+from typing import Any, Final
 from urllib.parse import quote
 
 from attrs import frozen
@@ -44,7 +44,7 @@ def _record(file: Checked, each: Diagnostic) -> dict[str, Any]:
     return {
         "code": each.code,
         "severity": each.severity,
-        "phase": _phase(each.code),
+        "phase": _PHASES[each.code[2]],
         "message": each.message,
         "hint": each.hint,
         "file": file.place,
@@ -55,8 +55,8 @@ def _record(file: Checked, each: Diagnostic) -> dict[str, Any]:
     }
 
 
-def _phase(code: str) -> str:
-    return CODES[code].phase
+_PHASES: Final = {"0": "syntax", "1": "type", "2": "lint"}
+"""By the hundreds of the code."""
 
 
 # GitHub: https://docs.github.com/actions, "Workflow commands".
@@ -115,7 +115,7 @@ def _rule(name: str) -> dict[str, Any]:
         "id": name,
         "shortDescription": {"text": code.title},
         "fullDescription": {"text": code.why},
-        "help": {"text": f"Wrong:\n{code.wrong}\nRight:\n{code.right}"},
+        "help": {"text": f"Wrong:\n\n{code.wrong}\n\nRight:\n\n{code.right}"},
         "properties": {"tags": [code.phase]},
     }
 

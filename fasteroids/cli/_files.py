@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import stat
 import sys
+from collections.abc import Callable
 from contextlib import suppress
 from difflib import get_close_matches
 from pathlib import Path
@@ -15,6 +16,7 @@ import click
 from fasteroids.cli._guard import Refusal, mute, reason
 from fasteroids.scene import SceneError, load_scene
 from fasteroids.state import World
+from fasteroids.units import ModelError
 
 __all__ = [
     "STDIO",
@@ -59,8 +61,9 @@ def open_scene(scene: str, *, seed: int | None, model: str | None) -> tuple[str,
     `seed` and `model` replace those of the file. `Refusal` says what is wrong with it.
     """
     title, text = _text_of(scene)
+    folder = Path() if scene == STDIO or not Path(scene).exists() else Path(scene).parent
     try:
-        return title, load_scene(text, seed=seed, model=model)
+        return title, load_scene(text, seed=seed, model=model, read=_reader(folder))
     except SceneError as error:
         count = len(error.problems)
         head = f"{title} has {count} problems:\n" if count > 1 else f"{title}: "
@@ -113,6 +116,18 @@ def _missing(scene: str) -> str:
 
 
 # Programs.
+
+
+def _reader(folder: Path) -> Callable[[str], bytes]:
+    """What reads the programs that a scene in this folder names."""
+
+    def read(name: str) -> bytes:
+        try:
+            return read_program(os.path.join(".", folder, name))  # noqa: PTH118 so that "-" is a file
+        except Refusal as refusal:
+            raise ModelError(str(refusal.message)) from None
+
+    return read
 
 
 def read_program(place: str) -> bytes:

@@ -7,6 +7,7 @@ from typing import Final
 
 from fasteroids.entities import Asteroid, Bullet, Entity, Ship
 from fasteroids.events import Happened
+from fasteroids.lang import Span
 from fasteroids.state import World
 from fasteroids.units import SPLIT_RADIUS
 
@@ -20,7 +21,6 @@ _TICKS: Final = {
     "thrust_off": "switches its thruster off",
     "skip": "skips",
     "end": "comes to the end of its program",
-    "fuel": "is not done thinking; it goes on at its next tick",
 }
 
 
@@ -50,6 +50,11 @@ def census(world: World) -> str:
     kinds = [type(f.entity) for f in world.flights if f is not None]
     amounts = [(kinds.count(kind), name) for kind, name in _KINDS.items()]
     return listed([counted(n, name) for n, name in amounts if n] or ["nothing"])
+
+
+def _line(happened: Happened) -> str:
+    """Where in its text a program stopped."""
+    return f" on line {happened.span.line}" if isinstance(happened.span, Span) else ""
 
 
 class Narrator:
@@ -95,9 +100,12 @@ class Narrator:
         if happened.clipped:
             names = listed(self.name(i) for i in happened.clipped)
             told += f"; {names} clipped to the speed limit"
-        for line in happened.prints:
-            told += f"; prints {line if line.isprintable() else repr(line)}"
-        return f"{self.time(happened.time)}  {told}"
+        time = self.time(happened.time)
+        prints = [
+            f"{time}  {self.name(happened.entities[0])}: {line if line.isprintable() else repr(line)}"
+            for line in happened.prints
+        ]
+        return "\n".join([*prints, f"{time}  {told}"])
 
     def _known(self, happened: Happened) -> bool:
         """Is this one more hop of two that press on each other?"""
@@ -129,7 +137,10 @@ class Narrator:
             case "tick", "fire":
                 return f"{names[0]} {self._shot(happened)}"
             case "tick", "halt":
-                return f"{names[0]} stops its program: {happened.reason or 'an illegal operation'}"
+                reason = happened.reason or "an illegal operation"
+                return f"{names[0]} stops its program{_line(happened)}: {reason}"
+            case "tick", "fuel":
+                return f"{names[0]} has no fuel left{_line(happened)}; it goes on at its next tick"
             case "tick", effect if effect in _TICKS:
                 return f"{names[0]} {_TICKS[effect]}"
         return str(happened)

@@ -5,15 +5,25 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from math import isfinite
-from typing import Any
+from typing import Any, Final
 
 from attrs import fields
 
+from fasteroids.actions import Action, Fire, Skip, Thrust, ThrustOff, Turn
 from fasteroids.entities import Entity, Ship
 from fasteroids.events import Happened
+from fasteroids.lang import Span
 from fasteroids.state import World
 
-__all__ = ["compact", "event", "indented", "world_record"]
+__all__ = ["action_name", "compact", "event", "indented", "world_record"]
+
+_ACTIONS: Final[Mapping[type[Action], str]] = {
+    Turn: "turn",
+    Fire: "fire",
+    Thrust: "thrust",
+    ThrustOff: "thrust_off",
+    Skip: "skip",
+}
 
 
 def compact(record: Mapping[str, Any]) -> str:
@@ -37,7 +47,7 @@ def event(happened: Happened) -> dict[str, Any]:
     for name in ("wall", "died", "born", "clipped", "prints", "span", "reason"):
         value = getattr(happened, name)
         if value is not None and value != ():
-            record[name] = value
+            record[name] = value._asdict() if isinstance(value, Span) else value
     if happened.at is not None:
         record["at"] = [_number(z) for z in happened.at]
     return record
@@ -51,6 +61,7 @@ def world_record(world: World) -> dict[str, Any]:
         "height": world.height,
         "seed": world.seed,
         "model": world.model,
+        "fuel": world.fuel,
         "entities": [_entity(e) for e in world.entities.values()],
     }
 
@@ -69,3 +80,8 @@ def _entity(e: Entity) -> dict[str, Any]:
 
 def _number(value: float) -> float | None:
     return value if isfinite(value) else None
+
+
+def action_name(action: Action) -> str:
+    """The word of the language for an action."""
+    return _ACTIONS[type(action)]

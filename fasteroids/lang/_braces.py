@@ -11,7 +11,7 @@ from __future__ import annotations
 from attrs import define
 
 from fasteroids.lang.diagnostics import Diagnostic, Edit, Note
-from fasteroids.lang.lexer import END, STRAY, Tokens, lines
+from fasteroids.lang.lexer import BROKEN, END, STRAY, Tokens, lines
 
 __all__ = ["balance"]
 
@@ -30,7 +30,7 @@ class _Open:
 
 
 def balance(tokens: Tokens, text: str) -> tuple[Tokens, list[Diagnostic]]:
-    """The tokens with the missing `}` put in and those that close nothing marked, and an error for each missing run."""
+    """The tokens with the missing `}` put in and those that close nothing marked, and the errors."""
     missing, excess = _unmatched(tokens.kinds)
     if not missing and not excess:
         return tokens, []
@@ -60,6 +60,7 @@ class _Repair:
         self.excess = excess
         self.open: list[_Open] = []
         self.closed: list[tuple[int, list[_Open]]] = []
+        self.faults: list[Diagnostic] = []
 
     def run(self, text: str) -> tuple[Tokens, list[Diagnostic]]:
         """The new tokens, and what was missing."""
@@ -72,14 +73,17 @@ class _Repair:
             if starts:
                 row, indent = rows[i], columns[i]
                 self.close_before(i)
-            if kind == "{":
+            if kind == "{" and self.missing and not starts and i and kinds[i - 1] == "{":
+                self.doubled(i)
+            elif kind == "{":
                 self.open.append(_Open(i, indent))
             elif kind == "}":
                 self.match(i, starts)
         if self.open:
             self.closed.append((end, self.open[::-1]))
         source = lines(text)
-        return self.mended(), [self.fault(at, blocks, source) for at, blocks in self.closed]
+        self.faults += [self.fault(at, blocks, source) for at, blocks in self.closed]
+        return self.mended(), self.faults
 
     def close_before(self, i: int) -> None:
         """Blocks that the indentation of token `i`, first in its line, shows to be over."""
@@ -111,6 +115,14 @@ class _Repair:
             self.excess -= 1
         else:
             self.open.pop()
+
+    def doubled(self, i: int) -> None:
+        """The `{` at `i` stands right behind another, and there are too many."""
+        self.missing -= 1
+        self.tokens.kinds[i] = BROKEN
+        place = self.tokens.span(i, i)
+        message = "This `{` stands there twice"
+        self.faults.append(Diagnostic("FA033", message, place, "Remove it", fix=(Edit(place, ""),)))
 
     def mended(self) -> Tokens:
         """All tokens, with a `}` without extent for each block that lacks one."""

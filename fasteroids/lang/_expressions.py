@@ -29,8 +29,10 @@ from fasteroids.lang.syntax import (
 
 __all__ = ["Expressions"]
 
-_STRENGTH: Final = words.BINARY.get
 _ENDINGS: Final = frozenset({";", ")", "{", ",", "then", "do", "}", STRAY, END})
+_MOST_GUESSES: Final = 12
+_ODD: Final = 99
+_STRENGTH: Final = {**words.BINARY, **dict.fromkeys(_ENDINGS, 0)}.get
 _LONE: Final = frozenset(
     {*words.BINARY, "++", "=", "=!", ":", ":=", "?", MEMBER, *foreign.SHORTHANDS}
 ) - {"-"}
@@ -42,6 +44,11 @@ class Expressions(Cursor):
 
     height = 1
     """Of the node read last: nodes from it to its farthest leaf, itself included."""
+
+    guesses = 0
+    """How many guesses inside each other led here; a text that takes many is not worth more."""
+    row = -1
+    """The token behind two operands in a row: a third there is told already."""
 
     def expression(self, depth: int) -> Expression:
         """One expression; `Missing`, and an error, where there is none."""
@@ -57,10 +64,10 @@ class Expressions(Cursor):
         height = self.height
         while True:
             sign = kinds[self.at]
-            strength = _STRENGTH(sign, 0)
+            strength = _STRENGTH(sign, _ODD)
             if strength < weakest:
-                if strength or sign in _ENDINGS:
-                    break
+                break
+            if strength == _ODD:
                 self.height = height
                 mended = self.oddity(first, left, depth)
                 if mended is None:
@@ -73,7 +80,7 @@ class Expressions(Cursor):
             self.at += 1
             start = self.at
             right = self.operand(depth + 1)
-            if _STRENGTH(kinds[self.at], 0) > strength:
+            if _STRENGTH(kinds[self.at], _ODD) > strength:
                 right = self.climb(start, right, depth + 1, strength + 1)
             height = (height if height > self.height else self.height) + 1
             if depth + height - 1 > MOST_NESTED:
@@ -136,7 +143,7 @@ class Expressions(Cursor):
         self.height += 1
         span = self.span(first, self.at - 1)
         if bare and self.at > first + 1:
-            fix = (Edit(self.tokens.after(first), "("), Edit(self.behind(), ")"))
+            fix = (Edit(self.tokens.gap(first), "("), Edit(self.behind(), ")"))
             message = f"`{kind}` needs parentheses"
             hint = f"Write `{kind}(…)`"
             self.report("FA013", message, span, hint, fix=fix, about=first + 1)
@@ -154,29 +161,75 @@ class Expressions(Cursor):
     # Only errors from here on.
 
     def unclosed(self, first: int) -> None:
-        """A `)` is missing at the next token, for the `(` at `first`."""
+        """A `)` is missing at the next token, for the `(` at `first` and all those around it."""
         notes = (Note("this `(` is not closed", self.span(first, first)),)
-        kind = self.kinds[self.at]
+        kinds = self.kinds
+        while self.decimal_comma():
+            pass
+        kind = kinds[self.at]
+        if kind == ")":
+            self.at += 1
+            return
         if kind == ",":
-            hint = "`sqrt`, `getx` and their like take one value"
+            hint = "One value stands between parentheses"
             self.report("FA027", "There is one value too many", self.here(), hint, notes=notes)
+        elif kind in STARTERS and self.same_line() and (closing := self.closing(first)) is not None:
+            self.report(
+                "FA012",
+                f"Expected `)` or an operator, not {self.shown()}",
+                self.here(),
+                notes=notes,
+            )
+            self.at = closing + 1
+            return
         elif kind in _ENDINGS or kind in STARTERS or not self.same_line():
-            place = self.behind()
-            self.report("FA012", "A `)` is missing", place, "Close the parenthesis", label="`)` expected",
-                        notes=notes, fix=(Edit(place, ")"),))  # fmt: skip
+            self.tell_unclosed(self.brackets + 1, notes)
             return
         else:
             message = f"Expected `)` or an operator, not {self.shown()}"
             self.report("FA012", message, self.here(), notes=notes)
-        while self.kinds[self.at] == ",":
+        while kinds[self.at] == ",":
             self.at += 1
             self.skip_expression()
         self.skip_expression()
-        if self.kinds[self.at] == ")":
+        if kinds[self.at] == ")":
             self.at += 1
+
+    def tell_unclosed(self, count: int, notes: tuple[Note, ...] = ()) -> None:
+        """The error for some `)` missing behind the last token."""
+        place = self.behind()
+        message = "A `)` is missing" if count == 1 else f"{count} closing parentheses are missing"
+        hint = "Close the parenthesis" if count == 1 else "Close each parenthesis"
+        fix = (Edit(place, ")" * count),)
+        self.report("FA012", message, place, hint, label="`)` expected", notes=notes, fix=fix)
+
+    def decimal_comma(self) -> bool:
+        """Passes over the rest of a number written `0,5`; False if the next token is no such comma."""
+        at = self.at
+        if self.kinds[at - 1 : at + 2] != [NUMBER, ",", NUMBER] or not self.touching():
+            return False
+        self.at = at + 1
+        if not self.touching() or "." in self.texts[at - 1] or "." in self.texts[at + 1]:
+            self.at = at
+            return False
+        fix = (Edit(self.span(at, at), "."),)
+        self.report("FA003", "A number has a decimal point, not a comma", self.span(at - 1, at + 1),
+                    "Write `.`", fix=fix)  # fmt: skip
+        self.at = at + 2
+        return True
 
     def no_operand(self, depth: int) -> Expression:
         """An expression was to start at the next token."""
+        if self.guesses >= _MOST_GUESSES:
+            self.skip_expression()
+            return Missing(self.behind())
+        self.guesses += 1
+        found = self.guess_operand(depth)
+        self.guesses -= 1
+        return found
+
+    def guess_operand(self, depth: int) -> Expression:
+        """What may be meant as one."""
         first, kinds = self.at, self.kinds
         kind = kinds[first]
         if kind == BROKEN:
@@ -264,6 +317,16 @@ class Expressions(Cursor):
         The expression to go on with (perhaps the same, with the next token read as an operator), or None if the
         expression ends here after all.
         """
+        if self.guesses >= _MOST_GUESSES:
+            self.skip_expression()
+            return None
+        self.guesses += 1
+        guess = self.guess(first, left, depth)
+        self.guesses -= 1
+        return guess
+
+    def guess(self, first: int, left: Expression, depth: int) -> Expression | None:
+        """What may be meant there."""
         kinds = self.kinds
         kind = kinds[self.at]
         if kind == NAME and self.infix_word():
@@ -387,16 +450,19 @@ class Expressions(Cursor):
             word = left.name
             if word in foreign.PREFIX:
                 return self.prefixed(first, foreign.PREFIX[word], "FA009", depth)
-            meant = self.suggested(word, _FUNCTIONS)
+            known = word in foreign.FUNCTIONS
+            meant = None if known else self.suggested(word, _FUNCTIONS)
             if meant is not None:
                 return self.prefixed(first, meant, "FA021", depth)
             if self.kinds[self.at] == "(":
                 return self.unknown_function(first, depth)
-        message = f"An operator is missing before {self.shown()}"
-        hint = "Multiplication is written `*`" if isinstance(left, Number) else None
-        self.report("FA019", message, self.here(), hint, label="two expressions in a row")
-        self.mute = self.at
-        return self.after_gap(first, depth)
+        if self.at != self.row:
+            message = f"An operator is missing before {self.shown()}"
+            hint = "Multiplication is written `*`" if isinstance(left, Number) else None
+            self.report("FA019", message, self.here(), hint, label="two expressions in a row")
+        gap = self.after_gap(first, depth)
+        self.row = self.at
+        return gap
 
     def prefixed(self, first: int, meant: str, code: str, depth: int) -> Expression:
         """Read the name at `first` as the prefix operator or function `meant`."""

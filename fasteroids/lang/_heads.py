@@ -133,6 +133,8 @@ class Heads(Misreadings):
         kinds = self.kinds
         start = self.at
         place = self.behind()
+        if place in self.told:
+            place = self.span(start - 1, start - 1)
         word = quoted(self.texts[first])
         message = f"The body of {word} stands between `{{` and `}}`"
         hint = "Write `{` before it and `}` behind it"
@@ -156,7 +158,7 @@ class Heads(Misreadings):
                 place,
                 hint,
                 label="`{` expected",
-                fix=(Edit(place, " {"),),
+                fix=(Edit(self.tokens.after(start - 1), " {"),),
             )
             outer, self.closer = self.closer, closer
             inside = self.statements(depth + 1)
@@ -168,7 +170,7 @@ class Heads(Misreadings):
             statement = self.statement(depth + 1)
             inside = () if statement is None else (statement,)
             if not told:
-                fix = (Edit(place, " {"), Edit(self.behind(), " }"))
+                fix = (Edit(self.tokens.after(start - 1), " {"), Edit(self.behind(), " }"))
                 self.report("FA015", message, place, hint, label="`{` expected",
                             fix=fix if statement else (), about=len(kinds))  # fmt: skip
         return Block(inside, self.span(start, max(start, self.at - 1)))
@@ -227,10 +229,16 @@ class Heads(Misreadings):
         significant = [i for i in words_inside if texts[i] not in _FILLERS]
         kind_at, kind = self.kind_among(significant)
         variable = next((i for i in significant if i != kind_at and kinds[i] == NAME), None)
-        told = self.tell_head(first, opened, inside, significant, kind_at, kind, variable)
+        kind_right = bool(inside) and kinds[start] in words.KINDS
+        shape = [kinds[i] for i in inside]
+        well = len(shape) == 3 and shape[1] == ","
+        if not (well and opened and kind_right and variable is not None):
+            self.tell_head(first, opened, inside, significant, kind_at, kind, variable)
         if kinds[self.at] == ")":
             self.at += 1
-        elif told:
+        elif well and opened:
+            self.tell_unclosed(1)
+        else:
             self.mute = self.at
         if variable is None:
             return None
@@ -250,7 +258,7 @@ class Heads(Misreadings):
     def tell_head(
         self, first: int, opened: bool, inside: range, significant: list[int],
         kind_at: int | None, kind: Kind | None, variable: int | None,
-    ) -> bool:  # fmt: skip
+    ) -> None:  # fmt: skip
         """Name what is wrong with the head."""
         kinds, texts = self.kinds, self.texts
         shape = [kinds[i] for i in inside]
@@ -261,7 +269,7 @@ class Heads(Misreadings):
             else self.tokens.after(inside.start - 1)
         )
         if not opened and well:
-            fix: tuple[Edit, ...] = (Edit(self.tokens.after(first), " ("),)
+            fix: tuple[Edit, ...] = (Edit(self.tokens.gap(first), " ("),)
             if kinds[self.at] != ")":
                 fix = (*fix, Edit(self.behind(), ")"))
             self.report(
@@ -272,7 +280,7 @@ class Heads(Misreadings):
                 fix=fix,
                 about=len(kinds),
             )
-            return True
+            return
         if well and kind_at == inside.start + 2 and variable == inside.start:
             message = "The kind comes first in a `foreach`"
         elif well and shape[0] not in words.KINDS:
@@ -288,17 +296,12 @@ class Heads(Misreadings):
                 fix=fix,
                 about=len(kinds),
             )
-            return True
+            return
         elif well and shape[2] in words.KEYWORDS:
             span = self.span(inside.stop - 1, inside.stop - 1)
             message = f"{quoted(texts[inside.stop - 1])} is a word of the language and no variable"
             self.report("FA023", message, span, "Choose another name", about=len(kinds))
-            return True
-        elif well and opened and shape[0] in words.KINDS and shape[2] == NAME:
-            behind = self.behind()
-            self.report("FA012", "A `)` is missing", behind, "Close the parenthesis", label="`)` expected",
-                        fix=(Edit(behind, ")"),), about=len(kinds))  # fmt: skip
-            return True
+            return
         else:
             message = "A `foreach` names a kind of entity and a variable"
         hint = "Write `foreach (kind, variable)`"
@@ -309,7 +312,6 @@ class Heads(Misreadings):
             fix = (Edit(place, meant),)
         if BROKEN not in shape:
             self.report("FA024", message, place, hint, fix=fix, about=len(kinds))
-        return True
 
 
 _FILLERS: Final = frozenset({"in", "of", "each", "var", "let", "all", *words.TYPES} - {"all"})

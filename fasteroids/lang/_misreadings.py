@@ -13,8 +13,8 @@ from typing import Final
 from fasteroids.lang import foreign, words
 from fasteroids.lang._cursor import OPERANDS
 from fasteroids.lang._expressions import Expressions
-from fasteroids.lang.diagnostics import Edit
-from fasteroids.lang.lexer import BROKEN, END, MEMBER, NAME, NUMBER, STRAY, quoted
+from fasteroids.lang.diagnostics import Diagnostic, Edit
+from fasteroids.lang.lexer import BROKEN, END, MEMBER, NAME, NUMBER, STRAY, Tokens, quoted
 from fasteroids.lang.source import Span
 from fasteroids.lang.syntax import (
     Assignment,
@@ -40,6 +40,11 @@ class Misreadings(Expressions, ABC):
 
     closer = -1
     """The index of the stray `}` that ends the block being read, whose `{` is missing; -1 if it has its own."""
+
+    def __init__(self, tokens: Tokens, faults: list[Diagnostic]) -> None:
+        super().__init__(tokens, faults)
+        self.declarations: set[int] = set()
+        """Commas that are read as the type of one more declaration."""
 
     @abstractmethod
     def statement(self, depth: int) -> Statement | None:
@@ -75,10 +80,7 @@ class Misreadings(Expressions, ABC):
             return self.foreign_declaration(depth)
         self.at += 1
         if kind in (STRAY, "}"):
-            fix = (Edit(place, ""),)
-            self.report(
-                "FA016", "This `}` closes nothing", place, "Remove it", fix=fix, about=first
-            )
+            self.stray_braces(first)
         elif kind == ")":
             self.at = first
             self.stray_parentheses()
@@ -87,6 +89,7 @@ class Misreadings(Expressions, ABC):
             self.report(
                 "FA020", f"There is nothing for this `{kind}` to go with", place, hint, about=first
             )
+            self.mute = self.at
         elif kind == "++" and behind == NAME:
             name = self.texts[first + 1]
             whole = self.span(first, first + 1)
@@ -102,7 +105,7 @@ class Misreadings(Expressions, ABC):
             self.skip_statement()
         else:
             self.at = first
-            self.no_start(depth)
+            self.no_start()
         return None
 
     def stray_braces(self, first: int) -> None:
@@ -113,11 +116,15 @@ class Misreadings(Expressions, ABC):
         message = "This `}` closes nothing" if self.at == first + 1 else "These `}` close nothing"
         self.report("FA016", message, place, "Remove it", fix=(Edit(place, ""),), about=first)
 
-    def no_start(self, depth: int) -> None:
+    def no_start(self) -> None:
         """Pass over something that is no statement: an expression, or signs."""
         first = self.at
         if self.kinds[first + 1] == MEMBER:
-            self.expression(depth + 1)
+            hint = "A program reads entities, with `getx` and its like, and acts with `turn`, `fire` and its like"
+            self.report(
+                "FA031", "Entities have no fields to change", self.span(first, first + 1), hint
+            )
+            self.at += 2
             self.skip_statement()
             return
         shown = self.shown()
@@ -204,16 +211,16 @@ class Misreadings(Expressions, ABC):
             )
             self.kinds[first] = meant
             return self.statement(depth)
-        self.no_sense(depth, same_line)
+        self.no_sense(same_line)
         return None
 
-    def no_sense(self, depth: int, same_line: bool) -> None:
+    def no_sense(self, same_line: bool) -> None:
         """A name that starts nothing."""
         first = self.at
         word, behind = self.texts[first], self.kinds[first + 1]
         place = self.here()
         if behind == MEMBER:
-            self.no_start(depth)
+            self.no_start()
             return
         if behind == "(" and same_line:
             hint = (
@@ -312,7 +319,11 @@ class Misreadings(Expressions, ABC):
         value = self.expression(depth + 1)
         fix: tuple[Edit, ...] = (Edit(place, f":= {word} {sign}"),)
         if self.at > start + 1:
-            fix = (Edit(place, f":= {word} {sign} ("), Edit(self.behind(), ")"))
+            fix = (
+                Edit(place, f":= {word} {sign}"),
+                Edit(self.tokens.gap(start - 1), " ("),
+                Edit(self.behind(), ")"),
+            )
         hint = f"Write `{quoted(word)[1:-1]} := {quoted(word)[1:-1]} {sign} …`"
         if first > before:
             self.report(
@@ -385,8 +396,11 @@ class Misreadings(Expressions, ABC):
         fix: list[Edit] = []
         while kinds[at] == "," and (kinds[at + 1] == NAME or kinds[at + 1] in words.TYPES):
             own = kinds[at + 1] != NAME
-            fix.append(Edit(self.span(at, at), ";" if own else f"; {kind}"))
+            behind = self.tokens.gap(at)
+            comma = self.span(at, at)
+            fix.append(Edit(comma, ";") if own else Edit(comma.to(behind), f"; {kind} "))
             kinds[at] = ";" if own else kind
+            self.declarations.add(at)
             if own:
                 break
             at += 2
@@ -395,7 +409,6 @@ class Misreadings(Expressions, ABC):
             last = max(first, at - 1)
             message = "A declaration declares one variable"
             self.report("FA025", message, self.span(first, last), hint, fix=tuple(fix))
-            self.mute = max(self.mute, first)
 
     def takes_something(self) -> bool:
         """Is `skip` followed by what cannot be the next statement?"""
@@ -448,9 +461,13 @@ class Misreadings(Expressions, ABC):
         while kinds[self.at] == ")":
             self.stray_parentheses()
             self.at = self.ahead()
+        while self.decimal_comma():
+            pass
         kind, place = kinds[self.at], self.here()
         if kind == ";":
             self.at += 1
+        elif self.at in self.declarations:
+            return
         elif kind == ":":
             fix = (Edit(place, ";"),)
             message = "A statement ends in `;`, not in `:`"

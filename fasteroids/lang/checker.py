@@ -20,7 +20,7 @@ from fasteroids.lang.names import shortened
 from fasteroids.lang.source import Span
 from fasteroids.lang.syntax import Expression, Program, Type
 from fasteroids.lang.types import EQUALITIES, type_of, wants, with_article
-from fasteroids.lang.uses import Node, nodes
+from fasteroids.lang.uses import Node, constructs
 from fasteroids.lang.variables import Variables, declared, type_span, understood
 
 __all__ = ["complaints", "declared"]
@@ -28,9 +28,10 @@ __all__ = ["complaints", "declared"]
 
 def complaints(tree: Program) -> tuple[Diagnostic, ...]:
     """Everything that keeps a program from being type-correct, by place; empty if nothing does. Never raises."""
-    variables = understood(tree)
+    program = constructs(tree)
+    variables = understood(tree, program)
     found = [*variables.complaints]
-    for node, loop in nodes(tree):
+    for node, loop in program:
         found += _misfits(node, variables)
         if loop is not None and isinstance(node, syntax.Act | syntax.Turn):
             found.append(_action_in_loop(node, loop))

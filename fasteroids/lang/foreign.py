@@ -12,6 +12,7 @@ from typing import Final
 __all__ = [
     "CONSTANTS",
     "ELSE_IFS",
+    "FUNCTIONS",
     "INFIX",
     "KINDS",
     "MEMBERS",
@@ -114,6 +115,15 @@ SYNONYMS: Final = {
     "log": "print", "pass": "skip", "nop": "skip", "forall": "foreach",
 }  # fmt: skip
 """Words that open a statement elsewhere and have one of ours."""
+
+
+FUNCTIONS: Final = frozenset(
+    {
+        "abs", "acos", "asin", "atan", "atan2", "ceil", "distance", "exp", "floor", "fabs", "log",
+        "max", "min", "mod", "pow", "rand", "random", "round", "sign", "sqr", "tan",
+    }
+)  # fmt: skip
+"""Functions that are not misspelt but missing."""
 
 
 def closest(word: str, choices: Iterable[str]) -> str | None:

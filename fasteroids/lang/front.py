@@ -8,10 +8,9 @@ from collections.abc import Iterable, Sequence
 from itertools import accumulate
 from typing import Final
 
-from fasteroids.lang.parser import Parsed, parse_bytes, parse_program
-
 from fasteroids.lang.checker import complaints
 from fasteroids.lang.diagnostics import Diagnostic
+from fasteroids.lang.parser import Parsed, parse_bytes, parse_program
 
 __all__ = ["diagnose", "diagnose_bytes", "mended"]
 

@@ -50,10 +50,7 @@ _FAULT = "a fault"
 _LINE_END = re.compile(r"\r\n?|\n")
 _UNSEEN = "\x0b\x0c\x1c-\x1f\x85\xa0\xad\u1680\u2000-\u200f\u2028-\u202f\u205f-\u2064\u3000\ufeff"
 _LEFT_TO_PARSER = ("=", ":", "=!", "++", "?", *foreign.SHORTHANDS)
-_NO_SIGN = ("**", "*/")
-_SIGNS = sorted(
-    {*words.SIGNS, *foreign.SIGNS, *_LEFT_TO_PARSER, *_NO_SIGN} - {"*/"}, key=len, reverse=True
-)
+_SIGNS = sorted({*words.SIGNS, *foreign.SIGNS, *_LEFT_TO_PARSER}, key=len, reverse=True)
 _ODD = (
     r"\w \t\r\n\ufffd;,(){}:=!<>&|+*/%?.'\"“”#\-"
     + _UNSEEN
@@ -71,6 +68,7 @@ _PIECE = re.compile(
             r"\*/(?!/)",
             r"</[A-Za-z][^<>\r\n]*>",
             r"[:<>!=][ \t]+=(?!=)",
+            r"\*\*+",
             *map(re.escape, _SIGNS),
             r"\.[^\W\d]\w*",
             r'"[^"\r\n]*"|"[^"\r\n;]*',
@@ -131,6 +129,12 @@ class Tokens:
         return tuple.__new__(
             Span, (self.lines[first], self.columns[first], self.lines[last], self.ends[last])
         )
+
+    def gap(self, index: int) -> Span:
+        """What stands between a token and the next, in one line; else the empty piece before the next."""
+        line, column = self.lines[index + 1], self.columns[index + 1]
+        same = self.lines[index] == line
+        return Span(line, self.ends[index] if same else column, line, column)
 
     def after(self, index: int) -> Span:
         """The empty piece just behind a token; at the start of the text for none (-1)."""

@@ -6,7 +6,7 @@ another variable (`x := y`).
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from typing import Final, Literal
 
 from attrs import frozen
@@ -15,9 +15,11 @@ from fasteroids.lang import syntax
 from fasteroids.lang.syntax import Declaration, Expression, ForEach, Name, Program, Statement, Type
 from fasteroids.lang.types import EQUALITIES, wants
 
-__all__ = ["Use", "declarations", "nodes", "uses"]
+__all__ = ["Construct", "How", "Node", "Use", "constructs", "declarations", "uses"]
 
 Node = Statement | Expression
+Construct = tuple[Node, ForEach | None]
+"""A statement or an operator, and the outermost for-each that it is in."""
 How = Literal["set", "compared", "looped", "used"]
 
 
@@ -33,54 +35,55 @@ class Use:
     """The variable that it is set to, set from, or compared with, if it is one: both are of one type."""
 
 
-def declarations(tree: Program) -> dict[str, list[Declaration]]:
+def constructs(tree: Program) -> list[Construct]:
+    """Every statement and every operator, each before what is in it, in the order of the text.
+
+    With each comes the outermost for-each around it. Blocks are passed over, and so are the leaves: names and
+    constants are told by the construct they stand in (`wants`).
+    """
+    found: list[Construct] = []
+    todo: list[Construct] = [(each, None) for each in _backwards(tree.body)]
+    while todo:
+        construct = todo.pop()
+        found.append(construct)
+        node, loop = construct
+        match node:
+            case syntax.If(_, then, orelse):
+                todo += [(each, loop) for each in (*_backwards(orelse), *_backwards(then))]
+            case syntax.While(_, body):
+                todo += [(each, loop) for each in _backwards(body)]
+            case syntax.ForEach(_, _, body):
+                todo += [(each, loop or node) for each in _backwards(body)]
+                continue
+        parts = [each for each, _ in wants(node, _NOTHING) if isinstance(each, _OPERATORS)]
+        todo += [(each, loop) for each in reversed(parts)]
+    return found
+
+
+_NOTHING: Final[Mapping[str, Type]] = {}
+_OPERATORS: Final = (syntax.Unary, syntax.Binary)
+
+
+def _backwards(block: syntax.Block | None) -> tuple[Statement, ...]:
+    return block.statements[::-1] if block is not None else ()
+
+
+def declarations(program: Iterable[Construct]) -> dict[str, list[Declaration]]:
     """All declarations of each name, in the order of the text."""
     found: dict[str, list[Declaration]] = {}
-    for node, _ in nodes(tree):
+    for node, _ in program:
         if isinstance(node, Declaration) and node.target.name:
             found.setdefault(node.target.name, []).append(node)
     return found
 
 
-def nodes(tree: Program) -> Iterator[tuple[Node, ForEach | None]]:
-    """Every statement and expression, each before what is in it, in the order of the text.
-
-    With each comes the outermost for-each around it. Blocks are passed over; what a declaration or an assignment
-    sets, and the variable of a for-each, are names of their own.
-    """
-    todo: list[tuple[Node, ForEach | None]] = [(each, None) for each in _backwards(tree.body)]
-    while todo:
-        node, loop = todo.pop()
-        yield node, loop
-        inside: ForEach | None = loop
-        match node:
-            case syntax.If(_, then, orelse):
-                inner: list[Node] = [*_backwards(orelse), *_backwards(then)]
-            case syntax.While(_, body):
-                inner = _backwards(body)
-            case syntax.ForEach(_, _, body):
-                inner, inside = _backwards(body), loop or node
-            case _:
-                inner = []
-        todo += [(each, inside) for each in inner]
-        # The head of a for-each is not inside it, nor can it hold an action.
-        todo += [(each, loop) for each, _ in reversed([*wants(node, _NOTHING)])]
-
-
-_NOTHING: Final[Mapping[str, Type]] = {}
-
-
-def _backwards(block: syntax.Block | None) -> list[Node]:
-    return [*reversed(block.statements)] if block is not None else []
-
-
-def uses(tree: Program, variables: Mapping[str, Type]) -> dict[str, list[Use]]:
+def uses(program: Iterable[Construct], variables: Mapping[str, Type]) -> dict[str, list[Use]]:
     """The uses of each name in the order of the text; a declaration without a value is none.
 
     `variables` are the types taken for granted: none, to get the hard evidence alone.
     """
     found: dict[str, list[Use]] = {}
-    for node, _ in nodes(tree):
+    for node, _ in program:
         asked = [*wants(node, variables)]
         for i, (expression, wanted) in enumerate(asked):
             if not isinstance(expression, Name) or not expression.name:

@@ -12,7 +12,7 @@ from fasteroids.lang.names import closest, shortened
 from fasteroids.lang.source import Span
 from fasteroids.lang.syntax import Declaration, Program, Type
 from fasteroids.lang.types import with_article
-from fasteroids.lang.uses import Use, declarations, uses
+from fasteroids.lang.uses import Construct, How, Use, constructs, declarations, uses
 
 __all__ = ["Variables", "declared", "type_span", "understood"]
 
@@ -50,22 +50,22 @@ def declared(tree: Program) -> dict[str, Type]:
 
     In a well-typed program all declarations of a name agree; where they do not, the last wins (as in 2013).
     """
-    return {name: found[-1].type for name, found in declarations(tree).items()}
+    return {name: found[-1].type for name, found in declarations(constructs(tree)).items()}
 
 
-def understood(tree: Program) -> Variables:
+def understood(tree: Program, program: Sequence[Construct]) -> Variables:
     """Gather the variables of a program, and complain of declarations: absent, contradictory, or wrong throughout."""
-    found = declarations(tree)
+    found = declarations(program)
     types = {name: each[0].type for name, each in found.items() if not _contradictory(each)}
     complaints = [_twice(each) for each in found.values() if _contradictory(each)]
-    mistaken = _mistaken(tree, types)
+    mistaken = _mistaken(program, types)
     types |= mistaken
-    used = uses(tree, types)
+    used = uses(program, types)
     complaints += [_misdeclared(found[name], used[name], kind) for name, kind in mistaken.items()]
     absent = {name: each for name, each in used.items() if name not in found}
     inferred = _inferred(absent)
     place = _place_for_declarations(tree)
-    near = _Near(types)
+    near = _Near({**types, **{n: k for n, k in inferred.items() if _lives(absent[n])}})
     for name, each in absent.items():
         meant = near.meant(name, each, inferred.get(name))
         if meant is not None:
@@ -103,14 +103,14 @@ def _twice(each: Sequence[Declaration]) -> Diagnostic:
     )
 
 
-def _mistaken(tree: Program, types: Mapping[str, Type]) -> dict[str, Type]:
+def _mistaken(program: Sequence[Construct], types: Mapping[str, Type]) -> dict[str, Type]:
     """Variables whose every use asks for another type than they are declared with, and that type.
 
     One slip is no proof, so it takes two uses that say so by themselves; being the variable of a for-each is enough.
     What the declared types of other variables say must not speak against it.
     """
     likely: dict[str, Type] = {}
-    for name, each in uses(tree, {}).items():
+    for name, each in uses(program, {}).items():
         kinds = set(_asked(each))
         hard = [use for use in each if use.wanted is not None]
         enough = len(hard) > 1 or any(use.how == "looped" for use in hard)
@@ -119,7 +119,7 @@ def _mistaken(tree: Program, types: Mapping[str, Type]) -> dict[str, Type]:
     if not likely:
         return {}
     settled = {**types, **likely}
-    all_uses = uses(tree, settled)
+    all_uses = uses(program, settled)
     return {
         name: kind
         for name, kind in likely.items()
@@ -171,6 +171,15 @@ def _asked(each: Sequence[Use]) -> dict[Type, Use]:
     return asked
 
 
+def _lives(each: Sequence[Use]) -> bool:
+    """Is a name both set and read, so that it is a variable of its own, and no slip for another?"""
+    hows = {use.how for use in each}
+    return not hows.isdisjoint(_SETS) and not hows <= _SETS
+
+
+_SETS: Final[frozenset[How]] = frozenset({"set", "looped"})
+
+
 class _Near:
     """Finds the known names that undeclared ones may be slips for, within a bound on work."""
 
@@ -181,16 +190,16 @@ class _Near:
     def meant(self, name: str, each: Sequence[Use], kind: Type | None) -> str | None:
         """The variable or constant that was most likely meant, of the type wanted.
 
-        A name that is both set and read has a life of its own: its declaration is missing, it is no slip.
+        A name that lives is no slip: its declaration is missing.
         """
-        hows = {use.how for use in each}
-        if "set" in hows and len(hows) > 1:
+        if _lives(each):
             return None
+        hows = {use.how for use in each}
         self._left -= len(self._types)
         if self._left < 0:
             return None
         candidates = [known for known, its in self._types.items() if kind in (its, None)]
-        if not hows & {"set", "looped"}:
+        if hows.isdisjoint(_SETS):
             candidates += [word for word, its in _CONSTANTS.items() if kind in (its, None)]
         return closest(name, candidates)
 

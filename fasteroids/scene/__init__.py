@@ -17,11 +17,12 @@ from fasteroids import models
 from fasteroids.courses import LIMIT, WALLS, course
 from fasteroids.engine import Engine
 from fasteroids.entities import Asteroid, Bullet, Entity, Ship, moving
-from fasteroids.moments import ORIGIN, START, moment_at, resolution, seconds
+from fasteroids.moments import ORIGIN, START, moment_at, resolution, seconds, tick_after
 from fasteroids.overlap import Placed, depth, own_bullet, slack
 from fasteroids.paths import Limited, Parabola
 from fasteroids.scene._draft import Draft, Member, drafted
 from fasteroids.scene._field import MOST_TRIES, scattered
+from fasteroids.scene._programs import Read, row_of
 from fasteroids.scene._table import Faults, Table
 from fasteroids.scene._text import Path, Problem, SceneError, parsed, written
 from fasteroids.state import (
@@ -35,7 +36,7 @@ from fasteroids.state import (
     push,
     replaced,
 )
-from fasteroids.units import ModelError
+from fasteroids.units import FUEL, ModelError
 
 __all__ = ["Problem", "SceneError", "dump_scene", "load_scene"]
 
@@ -46,8 +47,12 @@ _UNPROMISING: Final = frozenset({"spec"})
 """Models under which entities may pass through one another, so that a true world of theirs can overlap."""
 
 
-def load_scene(text: str, *, seed: int | None = None, model: str | None = None) -> World:
+def load_scene(
+    text: str, *, seed: int | None = None, model: str | None = None, read: Read | None = None
+) -> World:
     """The world a scene file describes; a `seed` or `model` given here takes the place of the file's.
+
+    `read` is asked for the bytes of each program that the file names, and raises `ModelError` if there is none.
 
     `SceneError` lists everything that is wrong with the text, in one of four stages, each of which needs the
     one before: syntax; tables, fields and values; room (outside, too wide, overlaps); past (a flight that
@@ -58,7 +63,7 @@ def load_scene(text: str, *, seed: int | None = None, model: str | None = None) 
     if isinstance(document.get("world"), dict):
         document["world"] |= {name: value for name, value in chosen.items() if value is not None}
     faults = Faults(text)
-    draft = drafted(document, faults)
+    draft = drafted(document, faults, read)
     flights = [_flight(member, draft.world, faults) for member in draft.members]
     world = replaced(draft.world, draft.world.clock, (), flights, (), draft.next_id)
     here = [Placed(e, _margin(e, world)) for e in (located(f, world.now) for f in flights)]
@@ -73,12 +78,15 @@ def _flight(member: Member, world: World, faults: Faults) -> Flight:
     """The flight of an entity; a fault if it is said to be `slowing` under `smooth` and does not leave its limit."""
     since = world.now if member.since is None else member.since
     e = member.entity
-    f = flight(since, e, member.bounced_off, None, path(world, e))
+    tick = None
+    if isinstance(e, Ship) and e.program is not None and e.program.running:
+        tick = tick_after(world.now) if member.tick is None else member.tick
+    f = flight(since, e, member.bounced_off, tick, path(world, e))
     if not member.slowing or models.named(world.model).thrust != "smooth":
         return f
     if isinstance(f.path, Limited) and course(f, world.width, world.height).rank == LIMIT:
         assert isinstance(e, Ship)
-        return flight(since, e, member.bounced_off, None, Parabola(*push(world, e)))
+        return flight(since, e, member.bounced_off, tick, Parabola(*push(world, e)))
     faults.add(
         member.table,
         "is for a ship at its speed limit whose thruster is on and points against its velocity",
@@ -218,8 +226,8 @@ def dump_scene(world: World) -> str:
     """A scene file of a world: `load_scene` gives back an equal one with the same future, bit for bit.
 
     Every entity is written as it was when its flight began, with the moment of that if it is not now. Ids are
-    left out where those that `load_scene` gives are the same. `ModelError` if a ship has a program, or if an
-    id is too long to be written.
+    left out where those that `load_scene` gives are the same. `ModelError` if a ship has a program that is no text
+    of the language, or if an id is too long to be written.
     """
     flights = sorted(world.all_flights().values(), key=lambda f: _ORDER[type(f.entity)])
     names = [f.entity.name for f in flights if f.entity.name is not None]
@@ -249,6 +257,8 @@ def _head(world: World, *, with_ids: bool) -> dict[str, object]:
         head["seed"] = world.seed
     if world.model != models.DEFAULT:
         head["model"] = world.model
+    if world.fuel != FUEL:
+        head["fuel"] = world.fuel
     if world.clock != START:
         head["time"] = _time(*world.clock)
     if with_ids and world.roster.next_id != max(world.roster.slots, default=0) + 1:
@@ -259,10 +269,6 @@ def _head(world: World, *, with_ids: bool) -> dict[str, object]:
 def _row(f: Flight, world: World, *, with_ids: bool) -> dict[str, object]:
     """The fields of an entity and its flight; those at their defaults are left out."""
     e = f.entity
-    if isinstance(e, Ship) and e.program is not None:
-        raise ModelError(
-            f"{describe(e)} has a program, and programs cannot be written to a scene file yet"
-        )
     row: dict[str, object] = {}
     if e.name is not None:
         row["name"] = e.name
@@ -270,7 +276,7 @@ def _row(f: Flight, world: World, *, with_ids: bool) -> dict[str, object]:
         row["id"] = e.id
     for a in fields(type(e)):
         value = getattr(e, a.name)
-        if a.name not in ("name", "id") and (a.default is NOTHING or value != a.default):
+        if a.name not in ("name", "id", "program") and (a.default is NOTHING or value != a.default):
             row[a.name] = value
     if f.since != world.now:
         row["since"] = _time(*f.since)
@@ -278,6 +284,13 @@ def _row(f: Flight, world: World, *, with_ids: bool) -> dict[str, object]:
         row["bounced_off"] = f.bounced_off
     if f.path != path(world, e):
         row["slowing"] = True
+    if isinstance(e, Ship) and e.program is not None:
+        try:
+            row |= row_of(e.program)
+        except ModelError as error:
+            raise ModelError(f"{describe(e)} {error}") from None
+        if f.next_tick not in (None, tick_after(world.now)):
+            row["program-tick"] = f.next_tick
     return row
 
 

@@ -14,8 +14,17 @@ from typing import Any, Final, TypeGuard
 from attrs import frozen
 
 from fasteroids.entities import Asteroid, Bullet, Entity, Ship
-from fasteroids.moments import START, Clock, Moment, moment_at, seconds
+from fasteroids.moments import (
+    START,
+    Clock,
+    Moment,
+    moment_at,
+    seconds,
+    tick_after,
+    tick_moment,
+)
 from fasteroids.scene._field import MOST_ASTEROIDS, Field
+from fasteroids.scene._programs import FIELDS, Read, program_of
 from fasteroids.scene._table import (
     INTEGER,
     NUMBER,
@@ -62,6 +71,7 @@ _WORLD: Final[Fields] = {
     "height": NUMBER,
     "seed": INTEGER,
     "model": TEXT,
+    "fuel": INTEGER,
     "time": _CLOCK,
     "next_id": INTEGER,
 }
@@ -104,6 +114,8 @@ _KINDS: Final[Mapping[str, _Kind]] = {
             "thruster": SWITCH,
             "thrust_power": NUMBER,
             "slowing": SWITCH,
+            **FIELDS,
+            "program-tick": INTEGER,
         },
         ("x", "y", "radius", "mass"),
         {**_STILL, "mass": 1.0, "direction": 0.0},
@@ -124,7 +136,8 @@ _HEADERS = ("[world]", *(f"[[{kind}]]" for kind in _KINDS), "[[asteroid-field]]"
 class Member:
     """An entity of a scene, and the flight it is on; `since` None if that starts now.
 
-    `slowing`: its flight began by leaving the speed limit (see `fasteroids.rules.limit`).
+    `slowing`: its flight began by leaving the speed limit (see `fasteroids.rules.limit`). `tick` is the k of its next
+    run of a program, None for the first after the time of the world.
     """
 
     table: Table
@@ -132,6 +145,7 @@ class Member:
     since: Moment | None
     bounced_off: int
     slowing: bool
+    tick: int | None
 
 
 @frozen
@@ -144,12 +158,15 @@ class Draft:
     fields: list[tuple[Table, Field]]
 
 
-def drafted(document: Mapping[str, Any], faults: Faults) -> Draft:
-    """What a document says. `SceneError` with every fault of its tables, fields and values."""
+def drafted(document: Mapping[str, Any], faults: Faults, read: Read | None = None) -> Draft:
+    """What a document says. `SceneError` with every fault of its tables, fields and values.
+
+    `read` gives the programs that it names.
+    """
     check_headers(document, _HEADERS, faults)
     clock, next_id, world = _world(document, faults)
     tables = {kind: tables_of(document, kind, faults) for kind in (*_KINDS, "asteroid-field")}
-    members = _members(tables, clock, next_id, faults)
+    members = _members(tables, clock, next_id, read, faults)
     scattered = [
         (table, field)
         for number, table in enumerate(tables["asteroid-field"], 1)
@@ -221,8 +238,9 @@ def _float(value: int | float) -> float:
 
 
 def _members(
-    tables: Mapping[str, list[Table]], clock: Clock | None, next_id: int | None, faults: Faults
-) -> list[Member]:
+    tables: Mapping[str, list[Table]], clock: Clock | None, next_id: int | None,
+    read: Read | None, faults: Faults,
+) -> list[Member]:  # fmt: skip
     """The entities of all kinds, each under its id."""
     everyone = [(_KINDS[kind], table) for kind in _KINDS for table in tables[kind]]
     ids = _ids([table for _, table in everyone], next_id, faults)
@@ -232,7 +250,7 @@ def _members(
         if kind.cls is Ship and isinstance(table.values.get("name"), str):
             ships.setdefault(table.values["name"], []).append(entity_id)
     members = (
-        _member(kind, table, entity_id, ships, clock, faults)
+        _member(kind, table, entity_id, ships, clock, read, faults)
         for (kind, table), entity_id in zip(everyone, ids, strict=True)
     )
     return [member for member in members if member is not None]
@@ -278,7 +296,7 @@ def _whose(table: Table, faults: Faults) -> str:
 
 def _member(
     kind: _Kind, table: Table, entity_id: int, ships: Mapping[str, list[int]],
-    clock: Clock | None, faults: Faults,
+    clock: Clock | None, read: Read | None, faults: Faults,
 ) -> Member | None:  # fmt: skip
     """One entity, or None if anything is wrong with it."""
     before = len(faults)
@@ -299,11 +317,14 @@ def _member(
     if bounced_off < 0:
         faults.add(table, "must be an id, or 0 for none", "bounced_off")
     slowing = values.pop("slowing", False)
+    tick = _tick(table, values.pop("program-tick", None), clock, faults)
+    if kind.cls is Ship:
+        values["program"] = program_of(table, values, read, faults)
     make: Callable[..., Entity] = partial(kind.cls, id=entity_id)
     entity = guarded(make, kind.valid, table, values, faults)
     if entity is None or len(faults) > before:
         return None
-    return Member(table, entity, since, bounced_off, slowing)
+    return Member(table, entity, since, bounced_off, slowing, tick)
 
 
 def _since(table: Table, value: Any, clock: Clock | None, faults: Faults) -> Moment | None:
@@ -318,6 +339,20 @@ def _since(table: Table, value: Any, clock: Clock | None, faults: Faults) -> Mom
     if clock is not None and since > clock[:2]:
         faults.add(table, "must not be later than the time of the world", "since")
     return since
+
+
+def _tick(table: Table, k: int | None, clock: Clock | None, faults: Faults) -> int | None:
+    """The next run of a program, if the table gives one: it may be due now, and is at most the first after that."""
+    if k is None or clock is None:
+        return None
+    last = tick_after(clock[:2])
+    if not (0 <= k <= last and tick_moment(k) >= clock[:2]):
+        faults.add(
+            table,
+            f"must be {last}, the next k whose k / 5 s come after the time of the world, or one due at that time",
+            "program-tick",
+        )
+    return k
 
 
 # [[asteroid-field]]

@@ -100,6 +100,18 @@ def quoted(text: str) -> str:
     return json.dumps(text, ensure_ascii=not text.isprintable())
 
 
+def lines_quoted(text: str) -> str:
+    """A text of several lines as TOML that shows them: `tomllib` reads the same characters back.
+
+    `ModelError` for lone surrogates, which no file of text can hold.
+    """
+    if any("\ud800" <= c <= "\udfff" for c in text):
+        raise ModelError("is no Unicode text: it has lone surrogates")
+    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
+    escaped = "".join(c if c.isprintable() or c in "\n\t" else f"\\U{ord(c):08x}" for c in escaped)
+    return f'"""\n{escaped}"""'
+
+
 # Statements.
 
 _TOKEN = re.compile(
@@ -343,7 +355,7 @@ def written(value: object) -> str:
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, str):
-        return quoted(value)
+        return lines_quoted(value) if "\n" in value else quoted(value)
     if isinstance(value, list | tuple):
         return f"[{', '.join(map(written, value))}]"
     if isinstance(value, int) and value.bit_length() > MOST_BITS:

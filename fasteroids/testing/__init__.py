@@ -18,6 +18,7 @@ from fasteroids.testing.scripts import Script as Script
 from fasteroids.testing.strategies import actions as actions
 from fasteroids.testing.strategies import discs as discs
 from fasteroids.testing.strategies import formations as formations
+from fasteroids.testing.strategies import machines as machines
 from fasteroids.testing.strategies import pairs as pairs
 from fasteroids.testing.strategies import scripts as scripts
 from fasteroids.testing.strategies import worlds as worlds
@@ -36,6 +37,7 @@ __all__ = [
     "formations",
     "histories",
     "keeping",
+    "machines",
     "pairs",
     "program_texts",
     "programs",

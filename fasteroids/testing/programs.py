@@ -108,12 +108,37 @@ def _among(some: tuple[_T, ...]) -> st.SearchStrategy[_T]:
 def expressions(
     type: Type, variables: Mapping[str, Type] = VARIABLES, *, depth: int = 4
 ) -> st.SearchStrategy[Expression]:
-    """Expressions of a type over some variables, at most `2 * depth + 1` nodes deep."""
+    """Expressions of a type over some variables, at most `depth + 2` nodes deep."""
     return _expression(type, _Scope(_by_type(variables), (), set(), set()), depth)
 
 
-# Expressions. `room` is how many operators may still be nested. Only what nests in itself is a strategy: a shrinking
-# search then knows to put an inner one in the place of an outer one.
+# Forms. One is drawn from the same list at every place, and where it has no room or no sense it gives way to a simple
+# one. So a choice means the same at every depth, and only what nests in itself is a strategy: a shrinking search then
+# knows that it may put an inner piece in the place of an outer one.
+
+_DOUBLES: Final = st.sampled_from([
+    *("number", "number", "getdir", "variable", "variable", "variable"),
+    *("getter", "getter", "getter", "arithmetic", "arithmetic", "arithmetic", "minus", "call"),
+])  # fmt: skip
+_BOOLS: Final = st.sampled_from([
+    *("truth", "variable", "order", "order", "order", "equality", "equality", "not", "join"),
+    *("guarded", "guarded"),
+])  # fmt: skip
+_STATEMENTS: Final = st.sampled_from([
+    *("action", "action", "action", "action", "print", "declaration"),
+    *("assignment", "assignment", "assignment", "assignment"),
+    *("if", "if", "test", "test", "foreach", "foreach", "foreach"),
+    *("while", "forever", "count", "count"),
+])  # fmt: skip
+
+_NESTING: Final = frozenset(
+    {"arithmetic", "minus", "call", "order", "equality", "not", "join", "guarded"}
+    | {"if", "test", "foreach", "while", "forever", "count"}
+)
+"""Forms that want room for what is in them."""
+
+
+# Expressions. `room` is how many operators may still be nested.
 
 
 @st.composite
@@ -128,15 +153,12 @@ def _expression(draw: st.DrawFn, type: Type, scope: _Scope, room: int) -> Expres
 
 
 def _double(draw: st.DrawFn, scope: _Scope, room: int) -> Expression:
-    forms = ["number", "number", "getdir"]
-    forms += ["variable"] * 3 if scope.names["double"] else []
-    forms += ["getter"] * 3 + ["arithmetic"] * 3 + ["minus", "call"] if room else []
+    names = scope.names["double"]
+    form = draw(_DOUBLES)
     inner = _expression("double", scope, room - 1)
-    match draw(_among(tuple(forms))):
-        case "number":
-            return draw(numbers)
-        case "variable":
-            return scope.name(draw(_among(scope.names["double"])))
+    match "variable" if form in _NESTING and not room else form:
+        case "variable" if names:
+            return scope.name(draw(_among(names)))
         case "getter":
             return Unary(draw(_among(_GETTERS)), _subject(draw, scope))
         case "arithmetic":
@@ -145,17 +167,17 @@ def _double(draw: st.DrawFn, scope: _Scope, room: int) -> Expression:
             return Unary("-", draw(inner))
         case "call":
             return Unary(draw(_among(_CALLS)), draw(inner))
-    return Direction()
+        case "getdir":
+            return Direction()
+    return draw(numbers)
 
 
 def _bool(draw: st.DrawFn, scope: _Scope, room: int) -> Expression:
-    forms = ["truth"]
-    forms += ["variable"] * 2 if scope.names["bool"] else []
-    forms += ["order"] * 3 + ["equality"] * 2 + ["not", "join"] if room else []
-    forms += ["guarded"] * 2 if room and scope.names["entity"] else []
-    match draw(_among(tuple(forms))):
-        case "variable":
-            return scope.name(draw(_among(scope.names["bool"])))
+    names, entities = scope.names["bool"], scope.names["entity"]
+    form = draw(_BOOLS)
+    match "variable" if form in _NESTING and not room else form:
+        case "variable" if names:
+            return scope.name(draw(_among(names)))
         case "order":
             inner = _expression("double", scope, room - 1)
             return Binary(draw(_among(_ORDER)), draw(inner), draw(inner))
@@ -167,9 +189,9 @@ def _bool(draw: st.DrawFn, scope: _Scope, room: int) -> Expression:
         case "join":
             inner = _expression("bool", scope, room - 1)
             return Binary(draw(_among(("&&", "||"))), draw(inner), draw(inner))
-        case "guarded":
+        case "guarded" if entities:
             # The right side is only met where the left one says that there is an entity.
-            name = draw(_among(scope.names["entity"]))
+            name = draw(_among(entities))
             equal, join = draw(_among((("!=", "&&"), ("==", "||"))))
             rest = draw(_expression("bool", scope.knowing(name), room - 1))
             return Binary(join, Binary(equal, scope.name(name), Null()), rest)
@@ -178,12 +200,12 @@ def _bool(draw: st.DrawFn, scope: _Scope, room: int) -> Expression:
 
 def _entity(draw: st.DrawFn, scope: _Scope) -> Expression:
     names = scope.names["entity"]
-    match draw(_among(("self", "variable", "variable", "null") if names else ("self", "null"))):
-        case "self":
-            return Self()
-        case "variable":
+    match draw(_among(("self", "variable", "variable", "null"))):
+        case "variable" if names:
             return scope.name(draw(_among((*scope.known, *names))))
-    return Null()
+        case "null":
+            return Null()
+    return Self()
 
 
 def _subject(draw: st.DrawFn, scope: _Scope) -> Expression:
@@ -201,48 +223,40 @@ def _subject(draw: st.DrawFn, scope: _Scope) -> Expression:
 _DEPTH: Final = 3  # of expressions in statements
 
 
-def _block(scope: _Scope, room: int, *, least: int = 0) -> st.SearchStrategy[Block]:
+@st.composite
+def _block(draw: st.DrawFn, scope: _Scope, room: int) -> Block:
     """Up to as many statements as there is room, and three; more where some belong together."""
-    rows = st.lists(_statement(scope, room), min_size=least, max_size=room + 3)
-    return rows.map(lambda rows: Block(tuple(s for row in rows for s in row)))
+    rows = draw(st.lists(_statement(scope, room), max_size=room + 3))
+    return Block(tuple(s for row in rows for s in row))
 
 
 @st.composite
 def _statement(draw: st.DrawFn, scope: _Scope, room: int) -> tuple[Statement, ...]:
     """One statement, or some that belong together."""
-    forms = ["action"] * 4 if scope.actions else []
-    forms += ["print"] + ["assignment"] * 4 + ["declaration"]
-    if room:
-        forms += ["if"] * 2 + ["test"] * 2 + ["foreach"] * 3 + ["while"]
-        forms += ["count"] * 2 if len(scope.fixed) < len(scope.names["double"]) else []
-        forms += ["forever"] if scope.actions else []
-    match draw(_among(tuple(forms))):
-        case "action":
+    form = draw(_STATEMENTS)
+    match "assignment" if form in _NESTING and not room else form:
+        case "action" if scope.actions:
             return (_action(draw, scope),)
-        case "print":
-            type = draw(_among(_TYPES))
-            return (Print(draw(_expression(type, scope, _DEPTH))),)
+        case "assignment":
+            name, type = _target(draw, scope)
+            return (Assignment(name, draw(_expression(type, scope, _DEPTH))),)
         case "declaration":
             return (_declaration(draw, scope),)
         case "if":
-            condition = draw(_expression("bool", scope, _DEPTH))
-            then = draw(_block(scope, room - 1))
-            orelse = draw(st.none() | _block(scope, room - 1))
-            return (If(condition, then, orelse),)
+            return (_if(draw, scope, room),)
         case "test":
             return (_test(draw, scope, room),)
         case "foreach":
             return (_foreach(draw, scope, room),)
         case "while":
             return (While(draw(_expression("bool", scope, _DEPTH)), draw(_block(scope, room - 1))),)
-        case "count":
+        case "count" if len(scope.fixed) < len(scope.names["double"]):
             return _count(draw, scope, room)
-        case "forever":
+        case "forever" if scope.actions:
             body = draw(_block(scope, room - 1))
             action = _action(draw, scope)
             return (While(Truth(True), Block((*body.statements, action))),)
-    name, type = _target(draw, scope)
-    return (Assignment(name, draw(_expression(type, scope, _DEPTH))),)
+    return (Print(draw(_expression(draw(_among(_TYPES)), scope, _DEPTH))),)
 
 
 def _action(draw: st.DrawFn, scope: _Scope) -> Statement:
@@ -271,6 +285,17 @@ def _declaration(draw: st.DrawFn, scope: _Scope) -> Statement:
     return Declaration(type, name, draw(value) if draw(st.booleans()) else None)
 
 
+def _if(draw: st.DrawFn, scope: _Scope, room: int) -> If:
+    condition = draw(_expression("bool", scope, _DEPTH))
+    then = draw(_block(scope, room - 1))
+    match draw(_among(("nothing", "else", "else if"))):
+        case "else":
+            return If(condition, then, draw(_block(scope, room - 1)))
+        case "else if" if room > 1:
+            return If(condition, then, Block((_if(draw, scope, room - 1),)))
+    return If(condition, then)
+
+
 def _test(draw: st.DrawFn, scope: _Scope, room: int) -> Statement:
     """An if for a variable that may be null."""
     name = draw(_among(scope.names["entity"]))
@@ -288,7 +313,7 @@ def _foreach(draw: st.DrawFn, scope: _Scope, room: int) -> Statement:
     kind = draw(_among(KINDS))
     name = draw(_among(scope.names["entity"]))
     inside = scope.knowing(name)._replace(actions=())
-    return ForEach(kind, scope.name(name), draw(_block(inside, room - 1, least=1)))
+    return ForEach(kind, scope.name(name), draw(_block(inside, room - 1)))
 
 
 def _count(draw: st.DrawFn, scope: _Scope, room: int) -> tuple[Statement, ...]:
@@ -296,7 +321,7 @@ def _count(draw: st.DrawFn, scope: _Scope, room: int) -> tuple[Statement, ...]:
     free = tuple(n for n in scope.names["double"] if n not in scope.fixed)
     name = scope.name(draw(_among(free)))
     inside = scope._replace(fixed=(*scope.fixed, name.name))
-    body = draw(_block(inside, room - 1, least=1))
+    body = draw(_block(inside, room - 1))
     more = Assignment(name, Binary("+", name, Number(1.0)))
     limit = Number(float(draw(st.integers(0, 4))))
     loop = While(Binary("<", name, limit), Block((*body.statements, more)))
@@ -321,7 +346,7 @@ def programs(
     """
     some = ("skip", "turn", *("fire",) * fire, *("thrust", "thrust_off") * thrust) * actions
     scope = _Scope(_by_type(VARIABLES), some, set(), set())
-    rows = draw(st.lists(_statement(scope, depth), max_size=8))
+    rows = draw(st.lists(_statement(scope, depth), max_size=5))
     missing = [name for name in VARIABLES if name in scope.used - scope.declared]
     first = [Declaration(VARIABLES[name], Name(name)) for name in missing]
     return Program(Block((*first, *(s for row in rows for s in row))))

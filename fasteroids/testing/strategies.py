@@ -21,13 +21,15 @@ from typing import Any, NamedTuple
 from attrs import evolve
 from hypothesis import strategies as st
 
-from fasteroids.actions import Action, Fire, Skip, Thrust, ThrustOff, Turn
+from fasteroids.actions import Action, Fire, Program, Skip, Thrust, ThrustOff, Turn
 from fasteroids.entities import Asteroid, Bullet, Entity, Ship
+from fasteroids.lang import Machine, check_program, syntax
 from fasteroids.state import World
+from fasteroids.testing.programs import programs as written
 from fasteroids.testing.scripts import Script
-from fasteroids.units import SPEED_OF_LIGHT, THRUST
+from fasteroids.units import FUEL, SPEED_OF_LIGHT, THRUST
 
-__all__ = ["FLAVOURS", "actions", "discs", "formations", "pairs", "scripts", "worlds"]
+__all__ = ["FLAVOURS", "actions", "discs", "formations", "machines", "pairs", "scripts", "worlds"]
 
 FLAVOURS = ("ordinary", "dense", "thin", "touching", "corners", "twins", "squeeze", "extreme")
 
@@ -56,6 +58,17 @@ def scripts(*, thrust: bool = True) -> st.SearchStrategy[Script]:
     """Programs of up to eight actions, some of them ticks out of fuel."""
     steps = st.one_of(actions(thrust=thrust), st.none())
     return st.builds(Script, st.lists(steps, min_size=1, max_size=8).map(tuple))
+
+
+def machines(*, thrust: bool = True) -> st.SearchStrategy[Machine]:
+    """Type-correct programs of the ship language, ready to run; without thrust if `thrust` is False."""
+    return written(thrust=thrust).map(_ready)
+
+
+def _ready(tree: syntax.Program) -> Machine:
+    machine = check_program(tree).program
+    assert machine is not None
+    return machine
 
 
 class _Scale(NamedTuple):
@@ -104,7 +117,7 @@ def worlds(
     """A valid world of `min_size` to `max_size` entities at time 0.
 
     `kinds` are the kinds of entities to draw from; `thrusters` lets ships start with theirs on, `programs` lets
-    ships run a `Script` (with thrust only if `thrusters`).
+    ships run a `Script`, or one of two programs of the language (with thrust only if `thrusters`).
     """
     flavour = draw(st.sampled_from(list(flavours)))
     scale = draw(_scales(flavour))
@@ -113,22 +126,28 @@ def worlds(
     columns = half if flavour == "squeeze" else draw(st.integers(1, max(half, 1)))
     rows = -(-half // max(columns, 1))
     pad = 1 if min(columns, rows) <= 1 else draw(st.integers(0, 1))
+    pilots: st.SearchStrategy[Program | None] = st.none()
+    if programs:
+        pilots |= scripts(thrust=thrusters)
+        fleet = draw(st.lists(machines(thrust=thrusters), max_size=2))
+        pilots |= st.sampled_from(fleet) if fleet else st.none()
+    fuel = draw(st.sampled_from([30, 300])) if programs else FUEL
     entities = [
-        draw(_entity(flavour, scale, kinds, i, columns, thrusters, programs)) for i in range(half)
+        draw(_entity(flavour, scale, kinds, i, columns, thrusters, pilots)) for i in range(half)
     ]
     width = (max(columns, 1) + pad) * _CELL * scale.length
     height = (max(rows, 1) + pad) * _CELL * scale.length
     if flavour == "twins":
         entities += [_mirrored(e, 2.0 * width) for e in entities]
         width *= 2.0
-    world = World(width, height, draw(st.integers(0, 9)), model)
+    world = World(width, height, draw(st.integers(0, 9)), model, fuel=fuel)
     return world.add_all(_with_sources(entities))
 
 
 @st.composite
 def _entity(
     draw: st.DrawFn, flavour: str, scale: _Scale, kinds: Sequence[type[Entity]], index: int,
-    columns: int, thrusters: bool, programs: bool,
+    columns: int, thrusters: bool, pilots: st.SearchStrategy[Program | None],
 ) -> Entity:  # fmt: skip
     """An entity in the cell `index` of the lattice; a bullet's source is for `_with_sources` to settle."""
     low, high = _FILL.get(flavour, (1 / 8, 0.9))
@@ -165,7 +184,7 @@ def _entity(
         mass,
         draw(_angles),
         thruster=thrusters and draw(st.booleans()),
-        program=draw(st.one_of(st.none(), scripts(thrust=thrusters))) if programs else None,
+        program=draw(pilots),
         max_speed=limit,
         thrust_power=draw(_thrusts(scale.thrusts)),
     )

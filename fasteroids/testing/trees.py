@@ -59,17 +59,15 @@ _leaves: Final[st.SearchStrategy[Expression]] = st.one_of(
     st.builds(Direction),
 )  # fmt: skip
 
-_SPINE: Final = 16  # operators in a row, each an operand of the next
+_forms: Final = st.sampled_from(["leaf", "leaf", "binary", "binary", "unary", "spine"])
 
 
 @st.composite
 def _expression(draw: st.DrawFn, room: int = 3) -> Expression:
-    form = draw(st.sampled_from(["leaf", "binary", "binary", "unary", "spine"])) if room else "leaf"
-    match form:
+    match draw(_forms) if room else "leaf":
         case "binary":
-            operator = draw(_binary)
-            left = draw(_expression(room - 1))
-            return Binary(operator, left, draw(_expression(room - 1)))
+            inner = _expression(room - 1)
+            return Binary(draw(_binary), draw(inner), draw(inner))
         case "unary":
             return Unary(draw(_unary), draw(_expression(room - 1)))
         case "spine":
@@ -79,17 +77,26 @@ def _expression(draw: st.DrawFn, room: int = 3) -> Expression:
 
 @st.composite
 def _spine(draw: st.DrawFn) -> Expression:
-    """A deep expression: from the innermost on, the left, right or only operand of one more."""
+    """A deep expression: from the innermost on, each the left, right or only operand of the next."""
     tree = draw(_leaves)
-    for _ in range(draw(st.integers(1, _SPINE))):
-        match draw(st.sampled_from(["left", "right", "only"])):
+    for form, operator in draw(_vertebrae):
+        match form:
             case "left":
-                tree = Binary(draw(_binary), tree, draw(_leaves))
+                tree = Binary(operator, tree, draw(_leaves))
             case "right":
-                tree = Binary(draw(_binary), draw(_leaves), tree)
+                tree = Binary(operator, draw(_leaves), tree)
             case _:
-                tree = Unary(draw(_unary), tree)
+                tree = Unary(operator, tree)
     return tree
+
+
+_vertebrae: Final = st.lists(
+    st.one_of(
+        st.tuples(st.just("only"), _unary), st.tuples(st.sampled_from(["left", "right"]), _binary)
+    ),
+    min_size=1,
+    max_size=24,
+)
 
 
 @st.composite
@@ -106,10 +113,13 @@ _simple: Final[st.SearchStrategy[Statement]] = st.one_of(
 )
 
 
+_constructs: Final = st.sampled_from([*["simple"] * 3, "if", "chain", "while", "foreach"])
+_kinds: Final = st.sampled_from(KINDS)
+
+
 @st.composite
 def _statement(draw: st.DrawFn, room: int) -> Statement:
-    forms = ["simple"] * 3 + (["if", "chain", "while", "foreach"] if room else [])
-    match draw(st.sampled_from(forms)):
+    match draw(_constructs) if room else "simple":
         case "if":
             condition, then = draw(_expression()), draw(_block(room - 1))
             return If(condition, then, draw(st.none() | _block(room - 1)))
@@ -118,7 +128,7 @@ def _statement(draw: st.DrawFn, room: int) -> Statement:
         case "while":
             return While(draw(_expression()), draw(_block(room - 1)))
         case "foreach":
-            kind, name = draw(st.sampled_from(KINDS)), draw(names)
+            kind, name = draw(_kinds), draw(names)
             return ForEach(kind, name, draw(_block(room - 1)))
     return draw(_simple)
 

@@ -10,11 +10,12 @@ from hypothesis import strategies as st
 
 from fasteroids import Asteroid, Ship, World, act, evolve
 from fasteroids.actions import Action
+from fasteroids.entities import id_of
 from fasteroids.moments import between, clock_at
 from fasteroids.overlap import depth, overhang
 from fasteroids.scene import Problem, SceneError, dump_scene, load_scene
 from fasteroids.state import replaced
-from fasteroids.testing import actions, unfold, worlds
+from fasteroids.testing import Script, actions, keeping, unfold, worlds
 from tests.properties.laws import EVENTS, same, world_law
 
 STARTS = st.sampled_from([0.0, 0.0, 5000.3, 1e9 + 0.7, 1e300])
@@ -228,3 +229,17 @@ def tried(text: str) -> tuple[World | None, tuple[Problem, ...], str]:
         return load_scene(text), (), ""
     except SceneError as error:
         return None, error.problems, str(error)
+
+
+@world_law
+@given(worlds(programs=True, thrusters=True, model="smooth", max_size=5), st.integers(0, 20))
+def test_L12_a_saved_world_has_the_same_future(world: World, events: int) -> None:
+    """Programs included, and also between two events of one moment, with the ticks of that moment to come."""
+    for ship in world.ships:
+        if isinstance(ship.program, Script):  # no text
+            world = world.remove(id_of(ship))
+    world = unfold(world, events=events).end
+    with keeping("L12_a_saved_world", world):
+        back = load_scene(dump_scene(world))
+        assert back == world
+        same(unfold(world, events=20), unfold(back, events=20))

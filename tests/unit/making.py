@@ -10,9 +10,19 @@ import pytest
 from attrs import evolve as with_
 from attrs import frozen
 
-from fasteroids import Asteroid, Bullet, Happened, Ship, World, happenings
+from fasteroids import (
+    Asteroid,
+    Bullet,
+    Happened,
+    Ship,
+    World,
+    check_program,
+    happenings,
+    parse_program,
+)
 from fasteroids.actions import Action, Ticked
 from fasteroids.entities import Entity
+from fasteroids.lang import Machine
 from fasteroids.scene import SceneError, load_scene
 from fasteroids.state import replaced
 from fasteroids.units import THRUST
@@ -20,6 +30,18 @@ from fasteroids.units import THRUST
 U = Fraction(1, 2**53)
 SUBNORMAL = 5e-324
 MAX = sys.float_info.max
+
+
+# Programs.
+
+
+def machine(text: str) -> Machine:
+    """A correct program, ready to run."""
+    tree = parse_program(text).program
+    assert tree is not None
+    ready = check_program(tree).program
+    assert ready is not None
+    return ready
 
 
 # Worlds. The numbers are chosen so that every result is a double: powers of two, and thrusters of 256 km/s^2.

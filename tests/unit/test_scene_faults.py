@@ -85,7 +85,8 @@ count = 10001
 
 THERE = "there are [world], [[ship]], [[asteroid]], [[bullet]], [[asteroid-field]]"
 DISC = "name, id, x, y, vx, vy, radius, max_speed, since, bounced_off"
-SHIP_FIELDS = f"{DISC}, mass, direction, thruster, thrust_power, slowing"
+PROGRAM = "program, program-text, program-state, program-tick"
+SHIP_FIELDS = f"{DISC}, mass, direction, thruster, thrust_power, slowing, {PROGRAM}"
 
 GOLDEN = f"""\
 line 2: sped = 3: belongs to no table; {THERE}

@@ -241,10 +241,10 @@ def test_dump_of_an_empty_world_that_was_not() -> None:
     assert load_scene(dump_scene(world)).add(Asteroid(5, 5, 0, 0, 1))[2]
 
 
-def test_dump_refuses_programs() -> None:
+def test_dump_refuses_programs_that_are_no_text() -> None:
     world = World(100, 100).add(Ship(50, 50, 0, 0, 5, 1, 0, program=Script((Fire(),)), name="red"))
     with pytest.raises(
-        ModelError, match="ship 'red' has a program, and programs cannot be written"
+        ModelError, match="ship 'red' has a program that is no text, and cannot be written"
     ):
         dump_scene(world)
 

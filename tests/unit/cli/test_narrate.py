@@ -8,6 +8,7 @@ import pytest
 
 from fasteroids import Asteroid, Bullet, Happened, Ship, World, happenings
 from fasteroids.cli._narrate import Narrator, census, counted, label, listed, number
+from fasteroids.lang import Span
 
 
 def space() -> World:
@@ -71,7 +72,15 @@ def told(happened: Happened, after: World | None = None, span: float = 20.0) -> 
         (Happened(1.0, "tick", (1,), effect="end"), "red comes to the end of its program"),
         (
             Happened(1.0, "tick", (1,), effect="fuel"),
-            "red is not done thinking; it goes on at its next tick",
+            "red has no fuel left; it goes on at its next tick",
+        ),
+        (
+            Happened(1.0, "tick", (1,), effect="fuel", span=Span(7, 3, 7, 9)),
+            "red has no fuel left on line 7; it goes on at its next tick",
+        ),
+        (
+            Happened(1.0, "tick", (1,), effect="halt", reason="getx null", span=Span(7, 3, 7, 9)),
+            "red stops its program on line 7: getx null",
         ),
         (
             Happened(1.0, "tick", (1,), effect="halt", reason="getx of null"),
@@ -85,7 +94,7 @@ def told(happened: Happened, after: World | None = None, span: float = 20.0) -> 
         ),
         (
             Happened(1.0, "tick", (1,), effect="skip", prints=("hello", "a\x1b[31m")),
-            "red skips; prints hello; prints 'a\\x1b[31m'",
+            "red: hello\n1.000  red: 'a\\x1b[31m'\n1.000  red skips",
         ),
     ],
 )

@@ -36,8 +36,8 @@ def test_a_code_is_told_in_plain_words(name: str) -> None:
     assert code.title
     assert not code.title.endswith(".")
     assert code.why.endswith((".", ")"))
-    for text in (code.wrong, code.right):
-        assert text.endswith("\n")
+    assert code.wrong == code.wrong.strip()
+    assert code.right == code.right.strip()
 
 
 def test_every_code_in_use_is_in_the_table_and_the_other_way_round() -> None:

@@ -1,0 +1,228 @@
+"""`fasteroids trace`: the small steps of a ship's program, as they are taken in a scene."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from difflib import get_close_matches
+from typing import Any, Final
+
+import click
+from attrs import evolve
+
+from fasteroids.actions import Action, Turn
+from fasteroids.cli import _options as options
+from fasteroids.cli import _records as records
+from fasteroids.cli._files import STDIO, Lines, open_scene
+from fasteroids.cli._fold import Fold
+from fasteroids.cli._guard import DONE, INTERRUPTED, Refusal
+from fasteroids.cli._narrate import counted, label, number
+from fasteroids.entities import Ship, id_of
+from fasteroids.events import Happened
+from fasteroids.lang import Halted, Machine, Running
+from fasteroids.lang.report import legible
+from fasteroids.lang.traced import Step, Traced
+from fasteroids.lang.values import Value, shown
+from fasteroids.state import World, flight, replaced
+
+__all__ = ["command"]
+
+_SPAN: Final = 1.0
+"""How long (s) is traced if nobody says: five ticks."""
+
+_WIDEST: Final = 60  # characters of source shown of one step
+
+
+@click.command("trace")
+@options.scene
+@click.option(
+    "--ship",
+    metavar="NAME",
+    help="The ship: its name or its id. Not needed if one only has a program.",
+)
+@click.option(
+    "--from",
+    "start",
+    metavar="S",
+    type=options.Seconds(),
+    help="From this time of the world, s.  [default: now]",
+)
+@click.option(
+    "--to", "end", metavar="S", type=options.Seconds(),
+    help=f"Up to and including this time, s.  [default: {number(_SPAN)} s after --from]",
+)  # fmt: skip
+@options.max_events
+@options.model
+@options.seed
+@click.option("--json", "as_json", is_flag=True, help="JSON Lines, one a step.")
+def command(
+    scene: str,
+    ship: str | None,
+    start: float | None,
+    end: float | None,
+    max_events: int,
+    model: str | None,
+    seed: int | None,
+    as_json: bool,
+) -> int:
+    """Tell each small step of a ship's program in SCENE: its place and text, what it came to, what it changed.
+
+    A step is a node of an expression or a statement that has its value; a tick may take as many as the fuel of the
+    world allows.
+    """
+    _, world = open_scene(scene, seed=seed, model=model)
+    pilot = _pilot(world, ship)
+    start = world.time if start is None else start
+    end = start + _SPAN if end is None else end
+    if end < start or start < world.time:
+        raise click.UsageError(
+            f"--from {number(start)} and --to {number(end)} must be in order, and not before the scene's "
+            f"{number(world.time)} s"
+        )
+    if start > world.time:
+        world = _ended(Fold(world, start - world.time, max_events=max_events, progress=True))
+    if pilot not in world:
+        click.echo(f"the ship is dead by {number(world.time)} s", err=True)
+        return DONE
+    fold = Fold(_traced(world, pilot), end - world.time, max_events=max_events)
+    ticks = steps = 0
+    with fold, Lines(STDIO) as lines:
+        for happened, after in fold:
+            if happened is None or happened.kind != "tick" or happened.entities != (pilot,):
+                continue
+            ticks += 1
+            for told in _told(happened, after, pilot, as_json=as_json):
+                lines.write(told)
+                steps += 1
+            if lines.gone:
+                return DONE
+    if fold.error is not None:
+        raise fold.error
+    click.echo(f"{counted(ticks, 'tick')} from {number(start)} s to {number(end)} s", err=True)
+    return INTERRUPTED if fold.stopped == "interrupted" else DONE
+
+
+def _pilot(world: World, name: str | None) -> int:
+    """The id of the ship meant; `Refusal` says which there are."""
+    flown = [s for s in world.ships if isinstance(s.program, Machine)]
+    if not flown:
+        raise Refusal("no ship of this scene has a program")
+    if name is None:
+        if len(flown) > 1:
+            raise Refusal(f"say which ship with --ship: {', '.join(map(label, flown))}")
+        return id_of(flown[0])
+    for s in world.ships:
+        if name in (s.name, str(s.id), f"#{s.id}"):
+            if not isinstance(s.program, Machine):
+                raise Refusal(f"{label(s)} has no program")
+            return id_of(s)
+    near = get_close_matches(name, [s.name or str(s.id) for s in flown], n=1)
+    hint = f" (did you mean {near[0]!r}?)" if near else ""
+    raise Refusal(
+        f"there is no ship {name!r}{hint}; with a program: {', '.join(map(label, flown))}"
+    )
+
+
+def _ended(fold: Fold) -> World:
+    with fold:
+        for _ in fold:
+            pass
+    if fold.error is not None:
+        raise fold.error
+    if fold.stopped == "interrupted":
+        raise KeyboardInterrupt
+    if fold.note is not None:
+        raise Refusal(fold.note)
+    return fold.world
+
+
+def _traced(world: World, pilot: int) -> World:
+    """The same world with the program of one ship wrapped."""
+    f, slot = world.flight_of(pilot), world.slot_of(pilot)
+    ship = f.entity
+    assert isinstance(ship, Ship)
+    assert isinstance(ship.program, Machine)
+    ship = evolve(ship, program=Traced(ship.program))
+    again = flight(f.since, ship, f.bounced_off, f.next_tick, f.path)
+    return replaced(world, world.clock, ((slot, again),), (), ())
+
+
+def _told(happened: Happened, after: World, pilot: int, *, as_json: bool) -> Iterator[str]:
+    """The lines of one tick."""
+    ship = after.flight_of(pilot).entity
+    assert isinstance(ship, Ship)
+    assert isinstance(ship.program, Traced)
+    steps = ship.program.steps
+    if not as_json:
+        yield f"{happened.time:.3f}  {label(ship)}: {counted(len(steps), 'step')}"
+    for i, step in enumerate(steps, 1):
+        text = _source(step)
+        if as_json:
+            yield records.compact(_record(happened.time, i, step, text))
+        else:
+            yield f"  {_place(step):<7} {text}{_outcome(step)}"
+    if not as_json and happened.effect == "fuel":
+        yield "  no fuel left; it goes on at its next tick"
+
+
+def _place(step: Step) -> str:
+    return f"{step.span.line}:{step.span.column}"
+
+
+def _source(step: Step) -> str:
+    """The text of a step, on one line, cut where it is long."""
+    lines = step.before.code.source.splitlines()[step.span.line - 1 : step.span.end_line]
+    if not lines:
+        return ""
+    if len(lines) > 1:
+        text = lines[0][step.span.column - 1 :].rstrip() + " ..."
+    else:
+        text = lines[0][step.span.column - 1 : step.span.end_column - 1]
+    text = legible(text)
+    return text if len(text) <= _WIDEST else text[: _WIDEST - 3] + "..."
+
+
+def _outcome(step: Step) -> str:
+    """What a step came to, for people."""
+    parts = []
+    if step.value is not None:
+        parts.append(f"= {shown(step.value[0])}")
+    parts += [f"{name} is now {shown(value)}" for name, value in step.changed.items()]
+    if step.action is not None:
+        parts.append(_action(step.action))
+    if step.printed is not None:
+        parts.append(f"prints {step.printed}")
+    if isinstance(step.after, Halted):
+        parts.append(f"stops: {step.after.reason}" if step.after.reason else "the end")
+    return "".join(f"  -> {part}" for part in parts)
+
+
+def _action(action: Action) -> str:
+    if isinstance(action, Turn):
+        return f"turns by {shown(action.angle)}"
+    return records.action_name(action)
+
+
+def _record(time: float, i: int, step: Step, text: str) -> dict[str, Any]:
+    record: dict[str, Any] = {"time": time, "step": i, **step.span._asdict(), "source": text}
+    if step.value is not None:
+        record["value"] = _plain(step.value[0])
+    if step.changed:
+        record["changed"] = {name: _plain(value) for name, value in step.changed.items()}
+    if step.action is not None:
+        record["action"] = records.action_name(step.action)
+        if isinstance(step.action, Turn):
+            record["angle"] = step.action.angle
+    if step.printed is not None:
+        record["printed"] = step.printed
+    if isinstance(step.after, Halted):
+        record["halted"] = step.after.reason or "end"
+    assert isinstance(step.before, Running)
+    return record
+
+
+def _plain(value: Value) -> object:
+    """A value in JSON: numbers and truths as they are, null, an entity by what it is called; nan and inf as text."""
+    if value is None or isinstance(value, bool):
+        return value
+    text = shown(value)
+    return value if isinstance(value, float) and text not in ("nan", "inf", "-inf") else text
