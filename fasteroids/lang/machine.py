@@ -342,9 +342,9 @@ def run(machine: Machine, view: View, fuel: int) -> Ran:
                 return Ran(machine, action, tuple(prints), fuel, span)
         # What comes is costly, stuck, or half done: to the end of that instruction by small steps.
         while fuel > 0 and isinstance(machine, Running):
-            machine, action, some, left, span = run_by_steps(machine, world, 1)
+            machine, action, some, _, span = run_by_steps(machine, world, 1)
             prints += some
-            fuel += left - 1
+            fuel -= 1
             if action is not None:
                 return Ran(machine, action, tuple(prints), fuel, span)
             if isinstance(machine, Running) and _between(machine):

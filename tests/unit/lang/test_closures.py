@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+from itertools import product
+from math import inf, nan
 from typing import Any
 
 import pytest
+from attrs import evolve
 
 from fasteroids.lang import machine as machines
-from fasteroids.lang.closures import Reading, typed
+from fasteroids.lang.closures import Closure, Reading, typed
 from fasteroids.lang.machine import run
-from fasteroids.lang.syntax import Expression, Print, Type
-from fasteroids.lang.values import Stuck
-from tests.unit.lang.running import loaded, ready, view
+from fasteroids.lang.syntax import Binary, Expression, Name, Print, Type, Unary
+from fasteroids.lang.values import BINARY, GETTERS, UNARY, Stuck, Value, binary, exact, unary
+from tests.unit.lang.running import ROCK, SHIP, loaded, ready, view
 
 TYPES: dict[str, Type] = {"p": "bool", "q": "bool", "x": "double", "e": "entity"}
 
@@ -75,9 +78,51 @@ def test_a_run_takes_small_steps_only_where_it_must(monkeypatch: pytest.MonkeyPa
     assert len(taken) == 3  # fuel for three of the four steps of the second
 
 
-def test_a_closure_that_got_stuck_after_skipping_leaves_nothing_behind() -> None:
-    text = "entity e; bool p; print (p && true) || getx e > 0;"
-    fast = run(loaded(text), view(), 1_000)
-    assert fast == machines.run_by_steps(loaded(text), view(), 1_000)
-    text = "bool p; print 1; turn 1 / 0; print p && p;"
-    assert run(loaded(text), view(), 99) == machines.run_by_steps(loaded(text), view(), 99)
+@pytest.mark.parametrize(
+    "stuck", ["print (p && true) || getx e > 0;", "if (p || !p) { turn 0 / 0; }"]
+)
+def test_what_got_stuck_after_skipping_leaves_nothing_behind(stuck: str) -> None:
+    world = Reading(view())
+    declared = "bool p; entity e; print p && p; "
+    fast = run(loaded(declared + stuck), world, 1_000)
+    assert fast == machines.run_by_steps(loaded(declared + stuck), view(), 1_000)
+    after = run(loaded("print 1;"), world, 10)
+    assert after.left == 8
+
+
+OPERANDS: dict[Type, list[Value]] = {
+    "double": [0.0, -0.0, 1.0, -1.0, 2.5, -7.25, 0.1, inf, -inf, nan, 5e-324, 1e308, -1e308, 1e22],
+    "bool": [False, True],
+    "entity": [None, SHIP, ROCK, evolve(ROCK, x=1.5)],
+}
+
+
+def closure(e: Expression, type_: Type) -> Closure:
+    """The closure of an operation on variables `a` and `b` of a type."""
+    made = typed(e, {"a": type_, "b": type_})
+    assert made is not None
+    return made.closure
+
+
+@pytest.mark.parametrize("operator", [*UNARY, *GETTERS])
+def test_each_unary_closure_gives_the_bits_of_its_operation(operator: str) -> None:
+    type_: Type = UNARY[operator][0] if operator in UNARY else "entity"
+    made = closure(Unary(operator, Name("a")), type_)
+    for a in OPERANDS[type_]:
+        if a is None:
+            with pytest.raises(Stuck):
+                made({"a": a}, Reading(view()))
+        else:
+            assert exact(made({"a": a}, Reading(view()))) == exact(unary(operator, a)), a
+
+
+@pytest.mark.parametrize("operator", BINARY)
+@pytest.mark.parametrize("type_", ["double", "bool", "entity"])
+def test_each_binary_closure_gives_the_bits_of_its_operation(operator: str, type_: Type) -> None:
+    if BINARY[operator][0] not in (None, type_):
+        assert typed(Binary(operator, Name("a"), Name("a")), {"a": type_}) is None
+        return
+    made = closure(Binary(operator, Name("a"), Name("b")), type_)
+    for a, b in product(OPERANDS[type_], repeat=2):
+        got = made({"a": a, "b": b}, Reading(view()))
+        assert exact(got) == exact(binary(operator, a, b)), (a, b)

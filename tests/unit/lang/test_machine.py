@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import pickle
 from math import nan
+from typing import Literal
 
 import pytest
 from attrs import evolve
@@ -30,6 +31,7 @@ from fasteroids.lang.machine import (
 from fasteroids.lang.syntax import Assignment, Block, ForEach, Name, Number, Print
 from fasteroids.lang.syntax import Program as Tree
 from fasteroids.lang.values import Seen
+from fasteroids.testing import DictView
 from tests.unit.lang.running import BULLET, RIVAL, ROCK, SHIP, loaded, stepped, to_the_end, view
 
 FIRST_EXAMPLE = """
@@ -272,6 +274,16 @@ def test_a_ship_that_does_not_see_itself_is_null() -> None:
     assert run(loaded("print self;"), view(ROCK), 10).prints == ("null",)
 
 
+def test_a_for_each_passes_over_an_id_that_has_no_entity() -> None:
+    class Haunted(DictView):
+        def ids(self, kind: Literal["ship", "asteroid", "bullet", "any"]) -> tuple[int, ...]:
+            return (1, 9) if kind == "any" else ()
+
+    seen = Haunted({1: SHIP})
+    machine = loaded("entity e; foreach (any, e) { print e; }")
+    assert run_by_steps(machine, seen, 99).prints == run(machine, seen, 99).prints == ("ship 1",)
+
+
 # Entities over time.
 
 
@@ -339,6 +351,11 @@ def test_a_step_shares_what_it_does_not_change() -> None:
     assert following.store is machine.store
     assert following.todo.rest is machine.todo.rest
     assert following.code is machine.code
+
+
+def test_a_run_tells_the_zeros_apart() -> None:
+    machine = run(loaded("double x; x := -x; print 1;"), view(), 3).machine
+    assert str(machine.store["x"]) == "-0.0"
 
 
 def test_machines_are_equal_to_the_bit() -> None:

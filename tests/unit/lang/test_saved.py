@@ -24,14 +24,26 @@ while (true) { print e; fire; }
 """
 
 
+EVERY_NODE = """
+double x; bool p; entity e;
+while (true) {
+  p := !p && (getdir < 3 || true) || e == null && false;
+  x := -(x + sqrt(4)) % cos(0);
+  if (1 < 2 && (false || p != true)) { e := self; }
+  p := false || (true && x >= 1);
+}
+"""
+
+
 def through_text(machine: Machine) -> Machine:
     """Saved as strict JSON and back."""
     return restored(json.loads(json.dumps(saved(machine), allow_nan=False)), ready)
 
 
-def test_a_machine_in_the_middle_comes_back() -> None:
-    for steps in range(60):
-        machine = stepped(loaded(LOOP), steps)
+@pytest.mark.parametrize("text", [LOOP, EVERY_NODE])
+def test_a_machine_in_the_middle_comes_back(text: str) -> None:
+    for steps in range(120):
+        machine = stepped(loaded(text), steps)
         again = through_text(machine)
         assert again == machine
         assert run(again, view(), 500) == run_by_steps(machine, view(), 500)
