@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from fasteroids.lang import syntax
 from fasteroids.lang.syntax import Block, Expression, Program, Statement
 
-__all__ = ["NOISES", "damaged", "noisy"]
+__all__ = ["NOISES", "PIECES", "damaged", "noisy"]
 
 NOISES: Final = (
     "blanks",
@@ -187,7 +187,7 @@ _NOT_OURS: Final = """
     é α ٣ ² “
 """
 _UNSEEN: Final = [*"\x00\x0b\x0c\u2028\u00a0\ufeff\ufffd \t\r\n"]
-_INSERTED: Final = [*_OURS.split(), *_NOT_OURS.split(), *_UNSEEN, "9" * 400, "0" * 400]
+PIECES: Final = [*_OURS.split(), *_NOT_OURS.split(), *_UNSEEN, "9" * 400, "0" * 400]
 
 
 @st.composite
@@ -200,11 +200,11 @@ def damaged(draw: st.DrawFn, texts: st.SearchStrategy[str]) -> str:
         here, there = (draw(st.integers(0, 2**16)) % (len(pieces) + 1) for _ in range(2))
         match draw(st.sampled_from(["insert", "delete", "replace", "double", "swap", "cut"])):
             case "insert":
-                pieces.insert(here, draw(st.sampled_from(_INSERTED)))
+                pieces.insert(here, draw(st.sampled_from(PIECES)))
             case "delete":
                 del pieces[here : here + 1]
             case "replace":
-                pieces[here : here + 1] = [draw(st.sampled_from(_INSERTED))]
+                pieces[here : here + 1] = [draw(st.sampled_from(PIECES))]
             case "double":
                 pieces[here:here] = pieces[here : here + 1]
             case "swap" if max(here, there) < len(pieces):
