@@ -8,8 +8,8 @@ from time import process_time
 from benchmarks.measure import Effort, Table, call_time, figure, rate, ratios, turns
 from fasteroids import Asteroid, Ship, World
 from fasteroids.actions import View
-from fasteroids.lang.code import Code, compiled
 from fasteroids.lang.machine import Machine, Ran, run, run_by_steps, started, tick
+from fasteroids.lang.machine.code import Code, compiled
 from fasteroids.lang.parser import parse_program
 from fasteroids.rules import ShipView
 

@@ -19,10 +19,10 @@ from fasteroids.cli._narrate import counted, label, number
 from fasteroids.entities import Ship, id_of
 from fasteroids.events import Happened
 from fasteroids.lang import Halted, Machine, Running
-from fasteroids.lang.lexer import lines as source_lines
+from fasteroids.lang.machine.traced import Step, Traced
+from fasteroids.lang.machine.values import Value, shown
+from fasteroids.lang.parser.lexer import lines as source_lines
 from fasteroids.lang.report import legible
-from fasteroids.lang.traced import Step, Traced
-from fasteroids.lang.values import Value, shown
 from fasteroids.state import World, flight, replaced
 
 __all__ = ["command"]

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from attrs import frozen
 
-from fasteroids.lang.code import compiled
 from fasteroids.lang.diagnostics import Diagnostic
 from fasteroids.lang.front import diagnose
 from fasteroids.lang.machine import Machine, started
+from fasteroids.lang.machine.code import compiled
 from fasteroids.lang.parser import parse_program
 from fasteroids.lang.printer import printed
 from fasteroids.lang.syntax import Program

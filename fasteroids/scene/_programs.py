@@ -13,7 +13,7 @@ from typing import Any, TypeAlias
 from fasteroids.actions import Program
 from fasteroids.lang import Machine, check_program, parse_program, rendered, started
 from fasteroids.lang.front import diagnose_bytes
-from fasteroids.lang.saved import restored, saved
+from fasteroids.lang.machine.saved import restored, saved
 from fasteroids.scene._table import TEXT, Faults, Fields, Table
 from fasteroids.units import ModelError
 

@@ -13,7 +13,7 @@ from attrs import evolve, field, frozen
 from hypothesis import strategies as st
 from pyrsistent import PMap, pmap
 
-from fasteroids.lang.values import Seen
+from fasteroids.lang.machine.values import Seen
 from fasteroids.units import FUEL, ModelError
 
 __all__ = ["DictView", "histories", "views"]

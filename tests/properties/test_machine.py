@@ -15,7 +15,6 @@ from hypothesis import strategies as st
 
 from fasteroids.actions import Program as WorldProgram
 from fasteroids.actions import View
-from fasteroids.lang.code import Code, compiled
 from fasteroids.lang.machine import (
     Each,
     Frame,
@@ -30,9 +29,11 @@ from fasteroids.lang.machine import (
     step,
     tick,
 )
+from fasteroids.lang.machine.code import Code, compiled
+from fasteroids.lang.machine.saved import restored, saved
+from fasteroids.lang.machine.values import Seen, type_of
 from fasteroids.lang.parser import parse_program
 from fasteroids.lang.printer import printed
-from fasteroids.lang.saved import restored, saved
 from fasteroids.lang.syntax import (
     Block,
     Declaration,
@@ -41,7 +42,6 @@ from fasteroids.lang.syntax import (
     Print,
     Program,
 )
-from fasteroids.lang.values import Seen, type_of
 from fasteroids.testing import DictView, histories, programs, trees, views
 from fasteroids.units import ModelError
 from tests.properties.laws import EXAMPLES

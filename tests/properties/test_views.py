@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from fasteroids.lang.values import Seen
+from fasteroids.lang.machine.values import Seen
 from fasteroids.testing import DictView, histories, views
 from fasteroids.units import FUEL, ModelError
 

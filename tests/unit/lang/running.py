@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from fasteroids.lang.code import Code, compiled
 from fasteroids.lang.machine import Halted, Machine, Running, started, step
+from fasteroids.lang.machine.code import Code, compiled
+from fasteroids.lang.machine.values import Seen
 from fasteroids.lang.parser import parse_program
-from fasteroids.lang.values import Seen
 from fasteroids.testing import DictView
 
 SHIP = Seen(1, "ship", 10.0, 20.0, 1.0, -1.0, 5.0)

@@ -9,11 +9,20 @@ from typing import Any
 import pytest
 from attrs import evolve
 
-from fasteroids.lang import machine as machines
-from fasteroids.lang.closures import Closure, Reading, typed
+from fasteroids.lang.machine import _machine as machines
 from fasteroids.lang.machine import run
+from fasteroids.lang.machine.closures import Closure, Reading, typed
+from fasteroids.lang.machine.values import (
+    BINARY,
+    GETTERS,
+    UNARY,
+    Stuck,
+    Value,
+    binary,
+    exact,
+    unary,
+)
 from fasteroids.lang.syntax import Binary, Expression, Name, Print, Type, Unary
-from fasteroids.lang.values import BINARY, GETTERS, UNARY, Stuck, Value, binary, exact, unary
 from tests.unit.lang.running import ROCK, SHIP, loaded, ready, view
 
 TYPES: dict[str, Type] = {"p": "bool", "q": "bool", "x": "double", "e": "entity"}

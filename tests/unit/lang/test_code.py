@@ -7,10 +7,10 @@ import pickle
 
 import pytest
 
-from fasteroids.lang.code import Form, compiled
+from fasteroids.lang.machine.code import Form, compiled
+from fasteroids.lang.machine.steps import Test as ShortCut
+from fasteroids.lang.machine.steps import order
 from fasteroids.lang.printer import printed
-from fasteroids.lang.steps import Test as ShortCut
-from fasteroids.lang.steps import order
 from fasteroids.lang.syntax import (
     Assignment,
     Binary,

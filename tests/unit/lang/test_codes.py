@@ -42,7 +42,7 @@ def test_a_code_is_told_in_plain_words(name: str) -> None:
 
 def test_every_code_in_use_is_in_the_table_and_the_other_way_round() -> None:
     sources = [
-        path.read_text(encoding="utf-8") for path in LANG.glob("*.py") if path.name != "codes.py"
+        path.read_text(encoding="utf-8") for path in LANG.rglob("*.py") if path.name != "codes.py"
     ]
     used = {code for text in sources for code in re.findall(r'"(FA[0-9]{3})"', text)}
     assert used == CODES.keys()

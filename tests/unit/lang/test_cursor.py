@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from fasteroids.lang.code import compiled
-from fasteroids.lang.cursor import cursor, frames
 from fasteroids.lang.machine import place, started
+from fasteroids.lang.machine.code import compiled
+from fasteroids.lang.machine.cursor import cursor, frames
 from fasteroids.lang.syntax import Act, Block, Program
 from tests.unit.lang.running import loaded, stepped, to_the_end
 

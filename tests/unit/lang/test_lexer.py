@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from fasteroids.lang import words
-from fasteroids.lang.lexer import BROKEN, END, NAME, NUMBER, decoded, lines, tokens
+from fasteroids.lang.parser.lexer import BROKEN, END, NAME, NUMBER, decoded, lines, tokens
 from fasteroids.lang.source import Span
 
 

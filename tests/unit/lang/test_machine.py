@@ -14,7 +14,6 @@ from pyrsistent import pmap
 from fasteroids import Asteroid, Ship, World
 from fasteroids import evolve as evolved
 from fasteroids.actions import Fire, Program, Skip, Thrust, ThrustOff, Ticked, Turn
-from fasteroids.lang.code import compiled
 from fasteroids.lang.machine import (
     Each,
     Frame,
@@ -28,9 +27,10 @@ from fasteroids.lang.machine import (
     step,
     tick,
 )
+from fasteroids.lang.machine.code import compiled
+from fasteroids.lang.machine.values import Seen
 from fasteroids.lang.syntax import Assignment, Block, ForEach, Name, Number, Print
 from fasteroids.lang.syntax import Program as Tree
-from fasteroids.lang.values import Seen
 from fasteroids.testing import DictView
 from tests.unit.lang.running import BULLET, RIVAL, ROCK, SHIP, loaded, stepped, to_the_end, view
 

@@ -9,9 +9,9 @@ import pytest
 
 from fasteroids.lang.codes import CODES, SYNTAX
 from fasteroids.lang.diagnostics import Diagnostic
-from fasteroids.lang.foreign import CONSTANTS, KINDS
 from fasteroids.lang.names import closest_word
 from fasteroids.lang.parser import parse_program
+from fasteroids.lang.parser.foreign import CONSTANTS, KINDS
 from fasteroids.lang.source import Span
 from fasteroids.lang.syntax import (
     Act,

@@ -12,11 +12,11 @@ import attrs
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from fasteroids.lang import foreign, words
+from fasteroids.lang import words
 from fasteroids.lang.codes import SYNTAX
 from fasteroids.lang.diagnostics import Edit
-from fasteroids.lang.lexer import lines
-from fasteroids.lang.parser import Parsed, decoded, parse_bytes, parse_program
+from fasteroids.lang.parser import Parsed, decoded, foreign, parse_bytes, parse_program
+from fasteroids.lang.parser.lexer import lines
 from fasteroids.lang.source import Span
 from fasteroids.lang.syntax import MOST_NESTED, Missing, Program
 

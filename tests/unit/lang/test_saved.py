@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from fasteroids.lang.machine import Machine, run, run_by_steps
-from fasteroids.lang.saved import restored, saved
+from fasteroids.lang.machine.saved import restored, saved
 from fasteroids.units import ModelError
 from tests.unit.lang.running import loaded, ready, stepped, to_the_end, view
 

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from fasteroids.actions import Fire, Turn
 from fasteroids.lang import Halted, Machine
-from fasteroids.lang.traced import Traced
-from fasteroids.lang.values import Seen
+from fasteroids.lang.machine.traced import Traced
+from fasteroids.lang.machine.values import Seen
 from fasteroids.testing import DictView, machines, views
 from tests.unit.making import machine
 

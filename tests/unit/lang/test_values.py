@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fasteroids import Asteroid, Bullet, Ship, World
-from fasteroids.lang.values import (
+from fasteroids.lang.machine.values import (
     BINARY,
     GETTERS,
     UNARY,

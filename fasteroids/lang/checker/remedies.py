@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import Final
 
 from fasteroids.lang import syntax
+from fasteroids.lang.checker.uses import Node
 from fasteroids.lang.diagnostics import Edit
 from fasteroids.lang.names import shortened
 from fasteroids.lang.source import Span
 from fasteroids.lang.syntax import Expression, Type
-from fasteroids.lang.uses import Node
 from fasteroids.lang.words import GETTERS
 
 __all__ = ["Remedy", "for_equality", "for_operand", "for_value"]

@@ -9,10 +9,11 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from typing import Final
 
-from fasteroids.lang import foreign, words
-from fasteroids.lang._cursor import ENDINGS, OPERANDS, STARTERS, Cursor
+from fasteroids.lang import words
 from fasteroids.lang.diagnostics import Edit, Note
-from fasteroids.lang.lexer import BROKEN, END, MEMBER, NAME, NUMBER, STRAY, quoted
+from fasteroids.lang.parser import foreign
+from fasteroids.lang.parser._cursor import ENDINGS, OPERANDS, STARTERS, Cursor
+from fasteroids.lang.parser.lexer import BROKEN, END, MEMBER, NAME, NUMBER, STRAY, quoted
 from fasteroids.lang.syntax import MOST_NESTED, Expression, Missing, Name, Number, Self
 
 __all__ = ["Guesses"]

@@ -7,13 +7,13 @@ from typing import Final
 
 from attrs import frozen
 
+from fasteroids.lang.checker.types import with_article
+from fasteroids.lang.checker.uses import Construct, How, Use, constructs, declarations, uses
 from fasteroids.lang.diagnostics import Diagnostic, Edit, Note
-from fasteroids.lang.foreign import CONSTANTS
 from fasteroids.lang.names import closest, shortened
+from fasteroids.lang.parser.foreign import CONSTANTS
 from fasteroids.lang.source import Span
 from fasteroids.lang.syntax import Declaration, Program, Type
-from fasteroids.lang.types import with_article
-from fasteroids.lang.uses import Construct, How, Use, constructs, declarations, uses
 
 __all__ = ["Variables", "declared", "type_span", "understood"]
 

@@ -17,6 +17,7 @@ from typing import Any, TypeAlias
 from attrs import field, frozen
 
 from fasteroids.actions import View
+from fasteroids.lang.machine.values import Stuck, Value, binary, look, shown, unary
 from fasteroids.lang.source import NOWHERE, Span
 from fasteroids.lang.syntax import (
     Binary,
@@ -30,7 +31,6 @@ from fasteroids.lang.syntax import (
     Truth,
     Unary,
 )
-from fasteroids.lang.values import Stuck, Value, binary, look, shown, unary
 
 __all__ = ["Node", "Operands", "Test", "evaluated", "named", "order"]
 

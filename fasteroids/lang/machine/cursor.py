@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 
-from fasteroids.lang.machine import Each, Frame, Machine, Running, place
-from fasteroids.lang.values import shown
+from fasteroids.lang.machine._machine import Each, Frame, Machine, Running, place
+from fasteroids.lang.machine.values import shown
 
 __all__ = ["cursor", "frames"]
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 from attrs import define
 
 from fasteroids.lang.diagnostics import Diagnostic, Edit, Note
-from fasteroids.lang.lexer import BROKEN, END, STRAY, Tokens, lines
+from fasteroids.lang.parser.lexer import BROKEN, END, STRAY, Tokens, lines
 
 __all__ = ["balance"]
 

@@ -12,8 +12,8 @@ from typing import Final, Literal
 from attrs import frozen
 
 from fasteroids.lang import syntax
+from fasteroids.lang.checker.types import EQUALITIES, wants
 from fasteroids.lang.syntax import Declaration, Expression, ForEach, Name, Program, Statement, Type
-from fasteroids.lang.types import EQUALITIES, wants
 
 __all__ = ["Construct", "How", "Node", "Use", "constructs", "declarations", "uses"]
 

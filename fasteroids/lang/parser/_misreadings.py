@@ -10,11 +10,12 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from typing import Final
 
-from fasteroids.lang import foreign, words
-from fasteroids.lang._cursor import OPERANDS
-from fasteroids.lang._expressions import Expressions
+from fasteroids.lang import words
 from fasteroids.lang.diagnostics import Diagnostic, Edit
-from fasteroids.lang.lexer import BROKEN, END, MEMBER, NAME, NUMBER, STRAY, Tokens, quoted
+from fasteroids.lang.parser import foreign
+from fasteroids.lang.parser._cursor import OPERANDS
+from fasteroids.lang.parser._expressions import Expressions
+from fasteroids.lang.parser.lexer import BROKEN, END, MEMBER, NAME, NUMBER, STRAY, Tokens, quoted
 from fasteroids.lang.source import Span
 from fasteroids.lang.syntax import (
     Assignment,

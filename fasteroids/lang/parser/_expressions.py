@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Final
 
 from fasteroids.lang import words
-from fasteroids.lang._cursor import ENDINGS
-from fasteroids.lang._guesses import Guesses
 from fasteroids.lang.diagnostics import Edit
-from fasteroids.lang.lexer import NAME, NUMBER
+from fasteroids.lang.parser._cursor import ENDINGS
+from fasteroids.lang.parser._guesses import Guesses
+from fasteroids.lang.parser.lexer import NAME, NUMBER
 from fasteroids.lang.source import Span
 from fasteroids.lang.syntax import (
     MOST_NESTED,

@@ -10,10 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Final
 
-from fasteroids.lang import foreign, words
+from fasteroids.lang import words
 from fasteroids.lang.diagnostics import Diagnostic, Edit, Note
-from fasteroids.lang.lexer import BROKEN, END, NAME, NUMBER, STRAY, Tokens, quoted
 from fasteroids.lang.names import closest_word
+from fasteroids.lang.parser import foreign
+from fasteroids.lang.parser.lexer import BROKEN, END, NAME, NUMBER, STRAY, Tokens, quoted
 from fasteroids.lang.source import Span
 
 __all__ = ["ENDINGS", "OPERANDS", "STARTERS", "Cursor"]

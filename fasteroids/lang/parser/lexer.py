@@ -15,8 +15,9 @@ from typing import Final
 
 from attrs import define, field
 
-from fasteroids.lang import foreign, words
+from fasteroids.lang import words
 from fasteroids.lang.diagnostics import Diagnostic, Edit
+from fasteroids.lang.parser import foreign
 from fasteroids.lang.source import Span
 
 __all__ = [

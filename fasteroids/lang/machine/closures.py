@@ -1,7 +1,7 @@
 """Expressions compiled to Python closures, once a program.
 
 A closure takes the variables as a dictionary and a `Reading` of the world, and gives the value that the small steps
-of `fasteroids.lang.steps` would give, bit for bit. It charges the same too: every step of the expression, less
+of `fasteroids.lang.machine.steps` would give, bit for bit. It charges the same too: every step of the expression, less
 those that `&&` and `||` skipped, which they add to `Reading.skipped`. Where the small steps get stuck it raises
 `Stuck`, and has changed nothing that matters, so the steps can be taken from the start of the expression.
 
@@ -17,6 +17,7 @@ from operator import attrgetter
 from typing import Any, NamedTuple, TypeAlias
 
 from fasteroids.actions import View
+from fasteroids.lang.machine.values import BINARY, GETTERS, UNARY, Seen, Sight, Stuck, Value
 from fasteroids.lang.syntax import (
     Binary,
     Direction,
@@ -29,7 +30,6 @@ from fasteroids.lang.syntax import (
     Type,
     Unary,
 )
-from fasteroids.lang.values import BINARY, GETTERS, UNARY, Seen, Sight, Stuck, Value
 
 __all__ = ["Closure", "Reading", "Typed", "typed"]
 

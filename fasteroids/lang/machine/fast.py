@@ -12,11 +12,11 @@ from math import inf
 from typing import Any, TypeAlias
 
 from fasteroids.actions import Action, Turn
-from fasteroids.lang.closures import Reading
-from fasteroids.lang.code import Code, Form
+from fasteroids.lang.machine.closures import Reading
+from fasteroids.lang.machine.code import Code, Form
+from fasteroids.lang.machine.values import Seen, Stuck, shown
 from fasteroids.lang.source import Span
 from fasteroids.lang.syntax import ForEach
-from fasteroids.lang.values import Seen, Stuck, shown
 
 ASSIGN, IF, WHILE, EACH, PRINT, TURN, ACT = Form  # an attribute of a class costs more than a global
 

@@ -14,7 +14,7 @@ Why a machine, and not a function that walks the tree? Because states are values
 -   pause anywhere: a ship's program stops at each action and goes on "right after this action statement" 0.2 s later
     (1.8), or in the middle of a sum, because its fuel is used up;
 -   be stepped, forwards by `step` and backwards by keeping what was before: a debugger needs nothing else;
--   be saved between any two steps, and resumed with the same future (`fasteroids.lang.saved`);
+-   be saved between any two steps, and resumed with the same future (`fasteroids.lang.machine.saved`);
 -   be kept in every past world for little: a step shares what it does not change;
 -   run with thousands of others, a step each in turn, without threads.
 
@@ -51,13 +51,13 @@ from pyrsistent import PList, PMap, plist
 
 from fasteroids._raw import raw
 from fasteroids.actions import Action, Ticked, Turn, View
-from fasteroids.lang.closures import Reading
-from fasteroids.lang.code import Code, Form, Instruction
-from fasteroids.lang.fast import Entry, leap
+from fasteroids.lang.machine.closures import Reading
+from fasteroids.lang.machine.code import Code, Form, Instruction
+from fasteroids.lang.machine.fast import Entry, leap
+from fasteroids.lang.machine.steps import Operands, evaluated, named
+from fasteroids.lang.machine.values import Seen, Stuck, Value, exact, look, shown, type_of
 from fasteroids.lang.source import Span
-from fasteroids.lang.steps import Operands, evaluated, named
 from fasteroids.lang.syntax import Expression, ForEach, Type
-from fasteroids.lang.values import Seen, Stuck, Value, exact, look, shown, type_of
 
 __all__ = [
     "Each",
@@ -361,7 +361,7 @@ def _between(machine: Running) -> bool:
 def _leapt(
     machine: Running, world: Reading, fuel: int, prints: list[str]
 ) -> tuple[Machine, Action | None, int, Span | None]:
-    """Whole instructions, see `fasteroids.lang.fast`."""
+    """Whole instructions, see `fasteroids.lang.machine.fast`."""
     code, store = machine.code, machine.store
     first = machine.todo.first
     instruction = code.blocks[first.block][first.index]

@@ -20,12 +20,12 @@ from typing import Any
 
 from pyrsistent import plist, pmap
 
-from fasteroids.lang.code import Code, Form
-from fasteroids.lang.machine import Each, Frame, Halted, Machine, Running, Todo
+from fasteroids.lang.machine._machine import Each, Frame, Halted, Machine, Running, Todo
+from fasteroids.lang.machine.code import Code, Form
+from fasteroids.lang.machine.steps import Node, Test
+from fasteroids.lang.machine.values import BINARY, GETTERS, UNARY, Seen, Value, type_of
 from fasteroids.lang.source import Span
-from fasteroids.lang.steps import Node, Test
 from fasteroids.lang.syntax import Binary, Direction, Name, Number, Truth, Type, Unary
-from fasteroids.lang.values import BINARY, GETTERS, UNARY, Seen, Value, type_of
 from fasteroids.units import ModelError, shown
 
 __all__ = ["restored", "saved"]

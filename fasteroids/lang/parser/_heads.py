@@ -6,10 +6,11 @@ from bisect import bisect
 from functools import cached_property
 from typing import Final
 
-from fasteroids.lang import foreign, words
-from fasteroids.lang._misreadings import Misreadings
+from fasteroids.lang import words
 from fasteroids.lang.diagnostics import Edit
-from fasteroids.lang.lexer import BROKEN, END, NAME, STRAY, quoted
+from fasteroids.lang.parser import foreign
+from fasteroids.lang.parser._misreadings import Misreadings
+from fasteroids.lang.parser.lexer import BROKEN, END, NAME, STRAY, quoted
 from fasteroids.lang.syntax import MOST_NESTED, Block, Kind, Name
 
 __all__ = ["Heads"]

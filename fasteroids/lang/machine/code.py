@@ -19,9 +19,10 @@ from pyrsistent import PMap, pmap
 
 from fasteroids.actions import Action, Fire, Skip, Thrust, ThrustOff
 from fasteroids.lang import syntax
-from fasteroids.lang.closures import Closure, typed
+from fasteroids.lang.machine.closures import Closure, typed
+from fasteroids.lang.machine.steps import Node, order
+from fasteroids.lang.machine.values import DEFAULTS, Value
 from fasteroids.lang.source import Span
-from fasteroids.lang.steps import Node, order
 from fasteroids.lang.syntax import (
     Act,
     Assignment,
@@ -36,7 +37,6 @@ from fasteroids.lang.syntax import (
     Type,
     While,
 )
-from fasteroids.lang.values import DEFAULTS, Value
 
 __all__ = ["Code", "Form", "Instruction", "compiled"]
 

@@ -18,10 +18,10 @@ from typing import Final
 from attrs import frozen
 
 from fasteroids.lang import words
-from fasteroids.lang._braces import balance
-from fasteroids.lang._heads import Heads
 from fasteroids.lang.diagnostics import Diagnostic
-from fasteroids.lang.lexer import END, NAME, decoded, tokens
+from fasteroids.lang.parser._braces import balance
+from fasteroids.lang.parser._heads import Heads
+from fasteroids.lang.parser.lexer import END, NAME, decoded, tokens
 from fasteroids.lang.source import NOWHERE, Span
 from fasteroids.lang.syntax import (
     MOST_NESTED,

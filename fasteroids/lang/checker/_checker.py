@@ -14,14 +14,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fasteroids.lang import remedies, syntax
+from fasteroids.lang import syntax
+from fasteroids.lang.checker import remedies
+from fasteroids.lang.checker.types import EQUALITIES, type_of, wants, with_article
+from fasteroids.lang.checker.uses import Node, constructs
+from fasteroids.lang.checker.variables import Variables, declared, type_span, understood
 from fasteroids.lang.diagnostics import Diagnostic, Note
 from fasteroids.lang.names import shortened
 from fasteroids.lang.source import Span
 from fasteroids.lang.syntax import Expression, Program, Type
-from fasteroids.lang.types import EQUALITIES, type_of, wants, with_article
-from fasteroids.lang.uses import Node, constructs
-from fasteroids.lang.variables import Variables, declared, type_span, understood
 
 __all__ = ["complaints", "declared"]
 

@@ -10,9 +10,9 @@ from collections.abc import Iterator, Mapping
 from attrs import evolve, field, frozen
 
 from fasteroids.actions import Action, Ticked, View
-from fasteroids.lang.machine import Frame, Machine, Running, place, refreshed, step
+from fasteroids.lang.machine._machine import Frame, Machine, Running, place, refreshed, step
+from fasteroids.lang.machine.values import Value, exact
 from fasteroids.lang.source import Span
-from fasteroids.lang.values import Value, exact
 
 __all__ = ["Step", "Traced"]
 
