@@ -29,7 +29,7 @@ _MOST_STEPS = 2**50  # k * every is a double of its own for every k up to here
 
 
 class Fold:
-    """A run for `span` s, or for `max_events` events, with a sample at each multiple of `every` s if that is given.
+    """A run until an absolute time (s), or for `max_events` events; a sample at each multiple of `every` s, if given.
 
     A context manager that takes Ctrl-C over, and an iterable of steps. During and after it: `world` is the last
     one, `events` counts them by kind, `died` and `born` entities, `elapsed` is the time (s) spent in the
@@ -38,10 +38,10 @@ class Fold:
     """
 
     def __init__(
-        self, world: World, span: float, *, max_events: int, every: float | None = None, progress: bool = False
+        self, world: World, until: float, *, max_events: int, every: float | None = None, progress: bool = False
     ) -> None:  # fmt: skip
         self.world, self.start = world, world.time
-        self.until = world.time + span
+        self.until = until
         self.max_events = max_events
         self.events: Counter[str] = Counter()
         self.died = self.born = 0

@@ -43,7 +43,7 @@ def command(
     title, world = open_scene(scene, seed=seed, model=model)
     names = {i: label(f.entity) for i, f in world.all_flights().items()}
     auditor = Auditor(world)
-    with Fold(world, span, max_events=max_events, progress=True) as fold:
+    with Fold(world, world.time + span, max_events=max_events, progress=True) as fold:
         for happened, after in fold:
             if happened is not None:
                 auditor.see(happened, after)

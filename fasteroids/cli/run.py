@@ -76,7 +76,8 @@ def command(
     if not (narrated or quiet or as_json):
         click.echo(opening, err=True)
     watched = narrated and sys.stdout is not None and sys.stdout.isatty()
-    fold = Fold(world, span, max_events=max_events, every=every, progress=not (quiet or watched))
+    progress = not (quiet or watched)
+    fold = Fold(world, world.time + span, max_events=max_events, every=every, progress=progress)
     with fold, ExitStack() as stack:
         told: list[tuple[Lines, Callable[[Happened | None, World], str | None]]] = []
         if events is not None:

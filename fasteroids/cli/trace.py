@@ -19,7 +19,7 @@ from fasteroids.cli._narrate import counted, label, number
 from fasteroids.entities import Ship, id_of
 from fasteroids.events import Happened
 from fasteroids.lang import Halted, Machine, Running
-from fasteroids.lang.machine.traced import Step, Traced
+from fasteroids.lang.machine.traced import MOST_STEPS, Step, Traced
 from fasteroids.lang.machine.values import Value, shown
 from fasteroids.lang.parser.lexer import lines as source_lines
 from fasteroids.lang.report import legible
@@ -79,25 +79,25 @@ def command(
             f"--from {number(start)} and --to {number(end)} must be in order, and not before the scene's "
             f"{number(world.time)} s"
         )
-    if start > world.time:
-        world = _ended(Fold(world, start - world.time, max_events=max_events, progress=True))
-    if pilot not in world:
-        click.echo(f"the ship is dead by {number(world.time)} s", err=True)
-        return DONE
-    fold = Fold(_traced(world, pilot), end - world.time, max_events=max_events)
-    ticks = steps = 0
+    fold = Fold(_traced(world, pilot), end, max_events=max_events, progress=start > world.time)
+    ticks = 0
     with fold, Lines(STDIO) as lines:
         for happened, after in fold:
-            if happened is None or happened.kind != "tick" or happened.entities != (pilot,):
+            if not _wanted(happened, pilot, start):
                 continue
+            assert happened is not None
+            fold.hide_progress()
             ticks += 1
             for told in _told(happened, after, pilot, as_json=as_json):
                 lines.write(told)
-                steps += 1
             if lines.gone:
                 return DONE
     if fold.error is not None:
         raise fold.error
+    if fold.note is not None:
+        click.echo(fold.note, err=True)
+    elif pilot not in fold.world:
+        click.echo(f"the ship is dead by {number(fold.world.time)} s", err=True)
     click.echo(f"{counted(ticks, 'tick')} from {number(start)} s to {number(end)} s", err=True)
     return INTERRUPTED if fold.stopped == "interrupted" else DONE
 
@@ -123,17 +123,11 @@ def _pilot(world: World, name: str | None) -> int:
     )
 
 
-def _ended(fold: Fold) -> World:
-    with fold:
-        for _ in fold:
-            pass
-    if fold.error is not None:
-        raise fold.error
-    if fold.stopped == "interrupted":
-        raise KeyboardInterrupt
-    if fold.note is not None:
-        raise Refusal(fold.note)
-    return fold.world
+def _wanted(happened: Happened | None, pilot: int, start: float) -> bool:
+    """Is this a tick of the ship, not before the start? (Going there first would be a cut, which thrust may feel.)"""
+    if happened is None or happened.kind != "tick" or happened.time < start:
+        return False
+    return happened.entities == (pilot,)
 
 
 def _traced(world: World, pilot: int) -> World:
@@ -161,6 +155,9 @@ def _told(happened: Happened, after: World, pilot: int, *, as_json: bool) -> Ite
             yield records.compact(_record(happened.time, i, step, text))
         else:
             yield f"  {_place(step):<7} {text}{_outcome(step)}"
+    if len(steps) == MOST_STEPS:
+        told = f"only the first {MOST_STEPS:,} steps of this tick are kept"
+        yield records.compact({"time": happened.time, "note": told}) if as_json else f"  {told}"
     if not as_json and happened.effect == "fuel":
         yield "  no fuel left; it goes on at its next tick"
 

@@ -320,6 +320,8 @@ def _member(
     tick = _tick(table, values.pop("program-tick", None), clock, faults)
     if kind.cls is Ship:
         values["program"] = program_of(table, values, read, faults)
+        if tick is not None and values["program"] is None:
+            faults.add(table, "is for a ship with a program", "program-tick")
     make: Callable[..., Entity] = partial(kind.cls, id=entity_id)
     entity = guarded(make, kind.valid, table, values, faults)
     if entity is None or len(faults) > before:

@@ -42,7 +42,8 @@ def exists(strategy: st.SearchStrategy, condition: object) -> None:
 def test_worlds_are_valid(world: World) -> None:
     assert 0 <= len(world) <= 30
     assert list(range(1, len(world) + 1)) == list(world.entities)
-    assert world == World(world.width, world.height, world.seed).add_all(world.entities.values())
+    empty = World(world.width, world.height, world.seed, fuel=world.fuel)
+    assert world == empty.add_all(world.entities.values())
 
 
 @pytest.mark.parametrize("flavour", FLAVOURS)

@@ -145,3 +145,14 @@ def test_kept_worlds_keep_their_programs() -> None:
     for world, happened in zip(run.worlds, run.log, strict=True):
         again = evolve_until(world, 2.0)
         assert again == run.end, happened
+
+
+def test_equal_worlds_think_alike() -> None:
+    """Entities that differ in the signs of zeros are equal; no program may tell them apart."""
+    text = "if (1 / getvx self > 0) { fire; } else { skip; }"
+    worlds = [
+        World(1000, 1000).add(Ship(500, 500, zero, 0, 20, 5e15, 0, program=machine(text)))
+        for zero in (0.0, -0.0)
+    ]
+    assert worlds[0] == worlds[1]
+    assert [[h.effect for h in unfold(w, until=0.2).log] for w in worlds] == [["fire"], ["fire"]]

@@ -66,6 +66,7 @@ def test_what_is_wrong_with_a_program_is_told_with_its_place() -> None:
         ('program-text = "skip;"\nprogram-state = "[]"', "as dump_scene writes it"),
         ('program-text = "skip;"\nprogram-tick = 2', "must be 1"),
         ('program-text = "skip;"\nprogram-tick = -1', "must be 1"),
+        ("program-tick = 1", "is for a ship with a program"),
         ("program = 1", "must be text"),
     ],
 )

@@ -55,7 +55,7 @@ from fasteroids.lang.machine.closures import Reading
 from fasteroids.lang.machine.code import Code, Form, Instruction
 from fasteroids.lang.machine.fast import Entry, leap
 from fasteroids.lang.machine.steps import Operands, evaluated, named
-from fasteroids.lang.machine.values import Seen, Stuck, Value, exact, look, shown, type_of
+from fasteroids.lang.machine.values import Seen, Stuck, Value, exact, shown, type_of, visited
 from fasteroids.lang.source import Span
 from fasteroids.lang.syntax import Expression, ForEach, Type
 
@@ -246,8 +246,7 @@ def _for_each(m: Running, i: Instruction, frame: Frame | Each, below: Todo, view
         if _declared(m, i) != "entity":
             raise Stuck(f"foreach {i.target}: {i.target} is declared {_declared(m, i)}")
         assert isinstance(i.statement, ForEach)
-        looks = (look(view, entity_id) for entity_id in view.ids(i.statement.kind))
-        rest = plist([seen for seen in looks if seen is not None])
+        rest = visited(view, i.statement.kind)
     if not rest:
         todo = _at(m.code, frame.block, frame.index + 1, below)
         return Stepped(_going(m.code, m.store, todo))
@@ -368,8 +367,7 @@ def _leapt(
     if instruction.worst > fuel or not instruction.sound:
         return machine, None, fuel, None
     stack: list[Entry] = [
-        (f.block, f.index, list(f.rest)[::-1] if isinstance(f, Each) else None)
-        for f in machine.todo
+        (f.block, f.index, f.rest if isinstance(f, Each) else None) for f in machine.todo
     ]
     stack.reverse()
     before = dict(store.items())
@@ -381,10 +379,7 @@ def _leapt(
             changed[name] = value
     todo = _NOTHING
     for block, index, rest in stack:
-        frame = (
-            _frame(block, index, 0, ()) if rest is None else _each(block, index, plist(rest[::-1]))
-        )
-        todo = todo.cons(frame)
+        todo = todo.cons(_frame(block, index, 0, ()) if rest is None else _each(block, index, rest))
     return _going(code, changed.persistent(), todo), action, left, span
 
 

@@ -90,10 +90,10 @@ class Instruction:
 
 @frozen
 class Code:
-    """A program made ready. Two are equal if their texts are; one without a text equals any other without."""
+    """A program made ready. Two are equal if their texts and trees are."""
 
     source: str
-    program: syntax.Program = field(eq=False, repr=False)
+    program: syntax.Program = field(hash=False, repr=False)
     blocks: tuple[tuple[Instruction, ...], ...] = field(eq=False, repr=False)
     defaults: PMap[str, Value] = field(eq=False, repr=False)
     """What each variable holds at the start: 0, false or null."""

@@ -11,25 +11,21 @@ from __future__ import annotations
 from math import inf
 from typing import Any, TypeAlias
 
+from pyrsistent import PList
+
 from fasteroids.actions import Action, Turn
 from fasteroids.lang.machine.closures import Reading
 from fasteroids.lang.machine.code import Code, Form
-from fasteroids.lang.machine.values import Seen, Stuck, shown
+from fasteroids.lang.machine.values import Seen, Stuck, shown, visited
 from fasteroids.lang.source import Span
 from fasteroids.lang.syntax import ForEach
 
 ASSIGN, IF, WHILE, EACH, PRINT, TURN, ACT = Form  # an attribute of a class costs more than a global
 
-__all__ = ["Entry", "leap", "visited"]
+__all__ = ["Entry", "leap"]
 
-Entry: TypeAlias = tuple[int, int, list[Seen] | None]
-"""A frame between two instructions: block, index, and in a for-each the entities still to visit, the next one last."""
-
-
-def visited(loop: ForEach, world: Reading) -> list[Seen]:
-    """The entities a for-each is to visit, the first one last."""
-    looks = (world.entity(i) for i in reversed(world.ids(loop.kind)))
-    return [seen for seen in looks if seen is not None]
+Entry: TypeAlias = tuple[int, int, PList[Seen] | None]
+"""A frame between two instructions: block, index, and in a for-each the entities still to visit."""
 
 
 def leap(
@@ -78,10 +74,11 @@ def leap(
                 block = blocks[number]
         elif form is EACH:
             if rest is None:
-                rest = visited(instruction.statement, world)  # type: ignore[arg-type]
+                assert isinstance(instruction.statement, ForEach)
+                rest = visited(world, instruction.statement.kind)
             if rest:
-                env[instruction.target] = rest.pop()
-                stack.append((number, index, rest))
+                env[instruction.target] = rest.first
+                stack.append((number, index, rest.rest))
                 number, index = instruction.blocks[0], 0
                 block = blocks[number]
             else:

@@ -6,15 +6,22 @@ A world does not know that it runs one: the future is that of the machine inside
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from itertools import islice
+from typing import Final
 
 from attrs import evolve, field, frozen
 
 from fasteroids.actions import Action, Ticked, View
 from fasteroids.lang.machine._machine import Frame, Machine, Running, place, refreshed, step
+from fasteroids.lang.machine.steps import Test
 from fasteroids.lang.machine.values import Value, exact
 from fasteroids.lang.source import Span
 
-__all__ = ["Step", "Traced"]
+__all__ = ["MOST_STEPS", "Step", "Traced"]
+
+
+MOST_STEPS: Final = 100_000
+"""So many steps of a tick are kept. A world may grant a tick far more fuel."""
 
 
 @frozen
@@ -33,18 +40,21 @@ class Step:
 
     @property
     def value(self) -> tuple[Value] | None:
-        """What a node of an expression came to, in a tuple, as it may be null; None if a statement was done."""
-        frame = self.before.todo.first
-        if not isinstance(frame, Frame) or not isinstance(self.after, Running):
+        """What a node of an expression came to, in a tuple, as it may be null.
+
+        None if a statement was done, or the left side of `&&` or `||` did not decide.
+        """
+        frame, after = self.before.todo.first, self.after
+        if not isinstance(frame, Frame) or not isinstance(after, Running):
             return None
-        now = self.after.todo.first
-        if (
-            not isinstance(now, Frame)
-            or now.done <= frame.done
-            or len(self.after.todo) != len(self.before.todo)
-        ):
+        instruction = self.before.code.blocks[frame.block][frame.index]
+        if frame.done == len(instruction.nodes):
             return None
-        return (now.operands[-1],) if now.operands else None
+        now = after.todo.first
+        assert isinstance(now, Frame)
+        if isinstance(instruction.nodes[frame.done], Test) and now.done == frame.done + 1:
+            return None  # true && ...: the right side decides
+        return (now.operands[-1],)
 
     @property
     def changed(self) -> Mapping[str, Value]:
@@ -57,7 +67,7 @@ class Step:
 
 @frozen
 class Traced:
-    """A machine, and the steps of its last tick. A program in the sense of `fasteroids.actions.Program`."""
+    """A machine and the (first `MOST_STEPS`) steps of its last tick: an `actions.Program`."""
 
     machine: Machine
     steps: tuple[Step, ...] = field(default=(), repr=False)
@@ -69,10 +79,11 @@ class Traced:
 
     def tick(self, view: View) -> Ticked:
         """As the machine's own tick, step by step."""
-        steps = tuple(_steps(refreshed(self.machine, view), view))
+        steps = tuple(islice(_steps(refreshed(self.machine, view), view), MOST_STEPS))
         ticked = self.machine.tick(view)
         assert isinstance(ticked.program, Machine)
-        assert not steps or steps[-1].after == ticked.program, "the trace is not what happens"
+        if 0 < len(steps) < MOST_STEPS:
+            assert steps[-1].after == ticked.program, "the trace is not what happens"
         return ticked._replace(program=evolve(self, machine=ticked.program, steps=steps))
 
 

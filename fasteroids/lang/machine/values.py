@@ -17,10 +17,11 @@ from math import copysign, inf, nan
 from typing import Final, Literal, TypeAlias
 
 from attrs import frozen
+from pyrsistent import PList, plist
 
 from fasteroids._raw import raw
 from fasteroids.actions import View
-from fasteroids.lang.syntax import Type
+from fasteroids.lang.syntax import Kind, Type
 
 __all__ = [
     "BINARY",
@@ -38,6 +39,7 @@ __all__ = [
     "shown",
     "type_of",
     "unary",
+    "visited",
 ]
 
 
@@ -66,26 +68,32 @@ _seen = raw(Seen)
 
 
 def look(view: View, entity_id: int) -> Seen | None:
-    """An entity as it is now, or None if it is dead."""
-    state = view.entity(entity_id)
-    if state is None or type(state) is Seen:
-        return state
-    return _seen(entity_id, state.kind, state.x, state.y, state.vx, state.vy, state.radius)
+    """An entity as it is now, or None if it is dead.
+
+    Without signs of zeros: entities that differ in those are equal, and 1 / getvx must not tell them apart.
+    """
+    e = view.entity(entity_id)
+    if e is None or type(e) is Seen:
+        return e
+    return _seen(entity_id, e.kind, e.x + 0.0, e.y + 0.0, e.vx + 0.0, e.vy + 0.0, e.radius)
 
 
 class Sight:
-    """A view that looks at each entity once. For one tick: it remembers."""
+    """A view that counts and looks at each entity once. For one tick: it remembers."""
 
-    __slots__ = ("_known", "_view", "direction", "fuel", "self_id")
+    __slots__ = ("_ids", "_known", "_view", "direction", "fuel", "self_id")
 
     def __init__(self, view: View) -> None:
         self._view = view
         self._known: dict[int, Seen | None] = {}
+        self._ids: dict[str, tuple[int, ...]] = {}
         self.self_id, self.direction, self.fuel = view.self_id, view.direction, view.fuel
 
-    def ids(self, kind: Literal["ship", "asteroid", "bullet", "any"]) -> tuple[int, ...]:
+    def ids(self, kind: Kind) -> tuple[int, ...]:
         """The ids of all entities of a kind, ascending."""
-        return self._view.ids(kind)
+        if kind not in self._ids:
+            self._ids[kind] = self._view.ids(kind)
+        return self._ids[kind]
 
     def entity(self, entity_id: int) -> Seen | None:
         """An entity at this moment, or None if it is dead."""
@@ -93,6 +101,12 @@ class Sight:
         if entity_id not in known:
             known[entity_id] = look(self._view, entity_id)
         return known[entity_id]
+
+
+def visited(view: View, kind: Kind) -> PList[Seen]:
+    """Whom a for-each visits: the living of a kind, in ascending order of ids."""
+    looks = (look(view, entity_id) for entity_id in view.ids(kind))
+    return plist([seen for seen in looks if seen is not None])
 
 
 def type_of(value: Value) -> Type:

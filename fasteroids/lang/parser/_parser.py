@@ -12,10 +12,11 @@ lone semicolons; `skip` without one; `%` and unary `-`; comments.
 
 from __future__ import annotations
 
+from bisect import bisect_left, insort
 from collections.abc import Callable
 from typing import Final
 
-from attrs import frozen
+from attrs import evolve, frozen
 
 from fasteroids.lang import words
 from fasteroids.lang.diagnostics import Diagnostic
@@ -81,7 +82,30 @@ def parse_bytes(data: bytes) -> Parsed:
 
 
 def _in_order(faults: list[Diagnostic]) -> tuple[Diagnostic, ...]:
-    return tuple(sorted(faults, key=lambda fault: fault.span)) if faults else ()
+    """The faults by place. Of two fixes that would change the same piece the first in the text stays."""
+    if not faults:
+        return ()
+    taken: list[tuple[tuple[int, int], tuple[int, int]]] = []
+    kept = []
+    for fault in sorted(faults, key=lambda fault: fault.span):
+        pieces = [(edit.span.start, edit.span.end) for edit in fault.fix]
+        if all(_free(taken, *piece) for piece in pieces):
+            for piece in pieces:
+                insort(taken, piece)
+        else:
+            fault = evolve(fault, fix=())
+        kept.append(fault)
+    return tuple(kept)
+
+
+def _free(
+    taken: list[tuple[tuple[int, int], tuple[int, int]]],
+    start: tuple[int, int],
+    end: tuple[int, int],
+) -> bool:
+    """Is a piece beside all those taken, which are in order and beside each other?"""
+    i = bisect_left(taken, (start, start))
+    return (i == 0 or taken[i - 1][1] <= start) and (i == len(taken) or end <= taken[i][0])
 
 
 class _Parser(Heads):

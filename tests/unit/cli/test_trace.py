@@ -58,6 +58,16 @@ def test_a_piece_of_time(call: Call, scene: str) -> None:
     assert whole.endswith(part)
 
 
+def test_both_ends_of_a_piece_belong_to_it(call: Call, scene: str) -> None:
+    assert call("trace", scene, "--from", "0.4", "--to", "0.4").stdout.startswith(
+        "0.400  red: 1 step\n"
+    )
+    whole = call("trace", scene, "--from", "0.4", "--to", "1.8").stdout
+    assert [line[:5] for line in whole.splitlines() if line[0] != " "] == [
+        f"{k / 5:.3f}" for k in range(2, 10)
+    ]
+
+
 def test_json_lines(call: Call, scene: str) -> None:
     lines = [
         json.loads(line)
