@@ -14,6 +14,7 @@ from pathlib import Path
 from benchmarks.measure import Effort, Table, figure, ratios, turns
 
 _NONE = subprocess.DEVNULL
+_PROGRAM = Path(__file__).parents[1] / "tests" / "programs" / "second-mended.ast"
 
 
 def _spent_by_children() -> float:
@@ -35,10 +36,12 @@ def process(*command: str) -> Callable[[], float]:
 def startup(effort: Effort) -> Table:
     """From a command to its end."""
     python = sys.executable
+    command = str(Path(python).with_name("fasteroids"))
     contenders = {
         "python -c pass": process(python, "-c", "pass"),
         'python -c "import fasteroids"': process(python, "-c", "import fasteroids"),
-        "fasteroids --help": process(str(Path(python).with_name("fasteroids")), "--help"),
+        "fasteroids --help": process(command, "--help"),
+        "fasteroids check FILE": process(command, "check", str(_PROGRAM)),
     }
     for name, measured in list(contenders.items()):
         try:

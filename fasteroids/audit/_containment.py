@@ -197,7 +197,9 @@ class Containment:
                 dx, dy, span = (xo + vxo * age) - x, (yo + vyo * age) - y, since
             else:
                 dx, dy = xo - (x - vx * age), yo - (y - vy * age)
-                span = since + age
+                span = (now[0] - w) * WINDOW + (
+                    now[1] - o
+                )  # not since + age, which rounds at the age
             # Where rounding could hide a gap of a whole sum of radii, nothing overlaps by more than the slack.
             reach = 2.0 * (r + ro)
             if abs(dx) - abs(dvx) * span > reach or abs(dy) - abs(dvy) * span > reach or span < 0.0:

@@ -20,7 +20,7 @@ COMMANDS: Final = {
     "audit": "Run a scene and measure how well the laws were kept.",
     "trace": "Tell each small step of a ship's program.",
     "check": "Find every fault of ship programs.",
-    "explain": "Say what a scene needs and why, or what a code means.",
+    "explain": "Say what a scene needs of the model, or what a code means.",
 }
 """The commands, with what the help says of them."""
 

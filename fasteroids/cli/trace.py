@@ -19,6 +19,7 @@ from fasteroids.cli._narrate import counted, label, number
 from fasteroids.entities import Ship, id_of
 from fasteroids.events import Happened
 from fasteroids.lang import Halted, Machine, Running
+from fasteroids.lang.lexer import lines as source_lines
 from fasteroids.lang.report import legible
 from fasteroids.lang.traced import Step, Traced
 from fasteroids.lang.values import Value, shown
@@ -170,7 +171,7 @@ def _place(step: Step) -> str:
 
 def _source(step: Step) -> str:
     """The text of a step, on one line, cut where it is long."""
-    lines = step.before.code.source.splitlines()[step.span.line - 1 : step.span.end_line]
+    lines = source_lines(step.before.code.source)[step.span.line - 1 : step.span.end_line]
     if not lines:
         return ""
     if len(lines) > 1:

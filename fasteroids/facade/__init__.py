@@ -6,7 +6,8 @@ standing for one value.
 `create_world(w, h)` gives a `WorldHandle`, which holds the current immutable `World` (its `world`). `evolve` and all
 that changes something put the next world in its place. `create_ship` and `create_asteroid` give handles of entities
 in no world. Once added, a handle reads its entity from its world, at the world's clock, whenever asked (its `entity`).
-When the entity dies or is removed, the handle keeps the last state and is in no world. A child or a bullet gets a
+When the entity dies or is removed, the handle keeps the last state and is in no world; what was removed may be added
+again, the dead may not. A child or a bullet gets a
 handle when somebody asks for it; one entity has one handle, the same object every time. Handles are equal if they are
 the same object, so sets of them do what the course's sets do.
 
@@ -32,6 +33,8 @@ from fasteroids.facade._handles import BulletHandle as BulletHandle
 from fasteroids.facade._handles import Handle as Handle
 from fasteroids.facade._handles import ShipHandle as ShipHandle
 from fasteroids.facade._handles import WorldHandle as WorldHandle
+from fasteroids.facade._programs import ParseOutcome as ParseOutcome
+from fasteroids.facade._programs import TypeCheckOutcome as TypeCheckOutcome
 from fasteroids.facade._time import CollisionListener as CollisionListener
 
 __all__ = [
@@ -40,6 +43,8 @@ __all__ = [
     "CollisionListener",
     "Facade",
     "Handle",
+    "ParseOutcome",
     "ShipHandle",
+    "TypeCheckOutcome",
     "WorldHandle",
 ]

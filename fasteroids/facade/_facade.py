@@ -11,6 +11,7 @@ from fasteroids.entities import Asteroid, Ship, id_of
 from fasteroids.events import act
 from fasteroids.facade._asking import Asking, a
 from fasteroids.facade._handles import AsteroidHandle, ShipHandle, WorldHandle
+from fasteroids.facade._programs import Programs
 from fasteroids.facade._time import CollisionListener, checked_listener, pass_time
 from fasteroids.state import World
 from fasteroids.units import ModelError, shown
@@ -18,7 +19,7 @@ from fasteroids.units import ModelError, shown
 __all__ = ["Facade"]
 
 
-class Facade(Asking):
+class Facade(Asking, Programs):
     """The course's facade. It has no state: all of it is in the handles, so one does, and so do several.
 
     Every method raises `ModelError` for a handle of the wrong kind and for any other argument of the wrong type;
@@ -37,12 +38,12 @@ class Facade(Asking):
     def add_ship(self, world: WorldHandle, ship: ShipHandle) -> None:
         """Put a ship into a world (1.1). Touching is fine.
 
-        `ModelError` if it is in a world already, overlaps another entity, sticks out, or is too wide.
+        `ModelError` if it is in a world already, died in one, overlaps another entity, sticks out, or is too wide.
         """
         self._add(world, a(ShipHandle, ship))
 
     def add_asteroid(self, world: WorldHandle, asteroid: AsteroidHandle) -> None:
-        """Put an asteroid into a world, as `add_ship`."""
+        """Put an asteroid into a world, with the refusals of `add_ship`."""
         self._add(world, a(AsteroidHandle, asteroid))
 
     def remove_ship(self, world: WorldHandle, ship: ShipHandle) -> None:

@@ -11,7 +11,9 @@ from typing import Generic, TypeVar, cast
 from attrs import evolve
 
 from fasteroids import rules
+from fasteroids.actions import Program
 from fasteroids.entities import Asteroid, Bullet, Entity, Ship, id_of
+from fasteroids.moments import tick_after
 from fasteroids.state import World, describe, flight, replaced
 from fasteroids.units import ModelError, number
 
@@ -27,11 +29,12 @@ class Handle(Generic[E]):
         (tests/properties/test_facade.py).
     """
 
-    __slots__ = ("_home", "_last")
+    __slots__ = ("_dead", "_home", "_last")
 
     def __init__(self, entity: E) -> None:
         self._last = entity
         self._home: WorldHandle | None = None
+        self._dead = False
 
     @property
     def entity(self) -> E:
@@ -49,9 +52,14 @@ class Handle(Generic[E]):
         """It is in a world from now on, where its entity has an id."""
         self._last, self._home = entity, home
 
-    def leave(self, last: Entity) -> None:
+    @property
+    def dead(self) -> bool:
+        """Did it die in a world? Then it never comes back into one (1.7)."""
+        return self._dead
+
+    def leave(self, last: Entity, *, dead: bool) -> None:
         """It is in no world any more, and stays as it was last."""
-        self._last, self._home = cast(E, last), None
+        self._last, self._home, self._dead = cast(E, last), None, dead
 
     def alter(self, entity: E) -> None:
         """Another value for an entity in no world."""
@@ -159,8 +167,10 @@ class WorldHandle:
             self._world = world
 
     def add(self, handle: ShipHandle | AsteroidHandle) -> None:
-        """Put an entity in, under a new id; `ModelError` as `World.add`, or if it is in a world already."""
+        """Put an entity in, under a new id; `ModelError` as `World.add`, or if it is in a world already or dead."""
         entity = handle.entity
+        if handle.dead:
+            raise ModelError(f"{describe(entity)} is dead; a world never contains the dead")
         if handle.home is not None:
             which = "this" if handle.home is self else "another"
             raise ModelError(
@@ -174,7 +184,20 @@ class WorldHandle:
         """Take an entity out, which is no death; `ModelError` if it is not in this world."""
         if handle.home is not self:
             raise ModelError(f"{describe(handle.entity)} is not in this world")
-        self.move_on(self._world, self._world.remove(id_of(handle.entity)))
+        last, entity_id = handle.entity, id_of(handle.entity)
+        self._world = self._world.remove(entity_id)
+        del self._handles[entity_id]
+        handle.leave(last, dead=False)
+
+    def instruct(self, ship: ShipHandle, program: Program) -> None:
+        """A ship of this world runs another program, from its next tick on. Its flight stays the same."""
+        world, entity_id = self._world, id_of(ship.entity)
+        f = world.flight_of(entity_id)
+        assert isinstance(f.entity, Ship)
+        told = evolve(f.entity, program=program)
+        tick = tick_after(world.now) if program.running else None
+        f = flight(f.since, told, f.bounced_off, tick, f.path)
+        self._world = replaced(world, world.clock, [(world.slot_of(entity_id), f)], (), ())
 
     def move_on(self, eve: World, after: World) -> World:
         """One change: `eve` is the world just before it, `after` just after. Gives the world it is now.
@@ -194,7 +217,7 @@ class WorldHandle:
                     heirs = dict.fromkeys(born, handle.generator)
         for entity_id, handle in gone.items():
             del self._handles[entity_id]
-            handle.leave(eve[entity_id])
+            handle.leave(eve[entity_id], dead=True)
         self._world = after
         for entity_id, generator in heirs.items():
             child = self.handle(entity_id)

@@ -51,6 +51,12 @@ def _unmatched(kinds: list[str]) -> tuple[int, int]:
     return opened, excess
 
 
+def _twice(kinds: list[str], i: int) -> bool:
+    """Is the `{` at `i` the second of just two?"""
+    around = kinds[max(i - 2, 0) : i + 2]
+    return i > 0 and kinds[i - 1] == "{" and around.count("{") == 2
+
+
 class _Repair:
     """One walk over the tokens, with the blocks open at each."""
 
@@ -73,7 +79,7 @@ class _Repair:
             if starts:
                 row, indent = rows[i], columns[i]
                 self.close_before(i)
-            if kind == "{" and self.missing and not starts and i and kinds[i - 1] == "{":
+            if kind == "{" and self.missing and not starts and _twice(kinds, i):
                 self.doubled(i)
             elif kind == "{":
                 self.open.append(_Open(i, indent))

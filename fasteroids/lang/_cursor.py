@@ -12,16 +12,19 @@ from typing import Final
 
 from fasteroids.lang import foreign, words
 from fasteroids.lang.diagnostics import Diagnostic, Edit, Note
-from fasteroids.lang.foreign import closest
 from fasteroids.lang.lexer import BROKEN, END, NAME, NUMBER, STRAY, Tokens, quoted
+from fasteroids.lang.names import closest_word
 from fasteroids.lang.source import Span
 
-__all__ = ["OPERANDS", "STARTERS", "Cursor"]
+__all__ = ["ENDINGS", "OPERANDS", "STARTERS", "Cursor"]
 
 OPERANDS: Final = frozenset(
     {NAME, NUMBER, "(", "!", *words.CONSTANTS, *words.GETTERS, *words.CALLS}
 )
 """Tokens that start an expression and cannot go on with one (a minus can)."""
+
+ENDINGS: Final = frozenset({";", ")", "{", ",", "then", "do", "}", STRAY, END})
+"""Tokens that may stand behind an expression."""
 
 STARTERS: Final = frozenset({*words.TYPES, *words.ACTIONS, "if", "while", "foreach", "print"})
 """Words that start a statement and nothing else."""
@@ -178,4 +181,4 @@ class Cursor:
         if self.suggestions <= 0 or len(word) > 12:
             return None
         self.suggestions -= 1
-        return closest(word, choices)
+        return closest_word(word, choices)

@@ -30,13 +30,17 @@ class Heads(Misreadings):
         """Pass over an `else if` that lies too deep, and all that follow it."""
         first = self.at
         self.tell_depth()
-        while self.skip_head():
+        more = True
+        while more:
+            self.at += 1
+            if not self.skip_head():
+                break
             self.at += 1
             self.skip_block()
             self.at += 1
-            if self.kinds[self.at] != "else":
-                break
-            self.at += 1
+            # Behind `else` the next round passes over `if`, or over nothing: its `{` is then the last.
+            more = self.kinds[self.at] == "else"
+            self.at += more and self.kinds[self.at + 1] == "if"
         self.mute = self.at
         return Block((), self.span(first, max(first, self.at - 1)))
 
@@ -50,6 +54,12 @@ class Heads(Misreadings):
         """Is the next token an `else`, or meant as one? Then it is one now."""
         kind = self.kinds[self.at]
         if kind == "else":
+            return True
+        if kind == ";" and self.kinds[self.at + 1] == "else":
+            place = self.here()
+            message = "This `;` parts the `else` from its `if`"
+            self.report("FA032", message, place, "Remove it", fix=(Edit(place, ""),))
+            self.at += 1
             return True
         word, behind = self.texts[self.at], self.kinds[self.at + 1]
         if kind != NAME or behind == ":=":
@@ -94,14 +104,14 @@ class Heads(Misreadings):
             self.at += 1
         elif kind == ":" or (kind == ";" and kinds[self.at + 1] == "{"):
             braced = kinds[self.at + 1] == "{"
-            fix = (Edit(place, "" if braced else " {"),)
+            fix = (Edit(place, ""),) if braced else ()
             message = f"A body starts with `{{`, not with `{kind}`"
             self.report(
                 "FA015",
                 message,
                 place,
                 "Remove it" if braced else "Write `{`",
-                fix=fix if braced else (),
+                fix=fix,
             )
             self.at += 1
             self.mute = self.at
@@ -121,7 +131,9 @@ class Heads(Misreadings):
         return self.skip_head()
 
     def wrong_noise(self, noise: str) -> None:
-        """`while e then`."""
+        """`while e then`, `while e do do`."""
+        if self.kinds[self.at - 1] in ("then", "do"):
+            noise = ""
         kind, place = self.kinds[self.at], self.here()
         message = f"`{kind}` does not belong here"
         hint = f"Write `{noise}`, or nothing" if noise else "Remove it"
@@ -314,4 +326,4 @@ class Heads(Misreadings):
             self.report("FA024", message, place, hint, fix=fix, about=len(kinds))
 
 
-_FILLERS: Final = frozenset({"in", "of", "each", "var", "let", "all", *words.TYPES} - {"all"})
+_FILLERS: Final = frozenset({"in", "of", "each", "var", "let", *words.TYPES})

@@ -73,7 +73,11 @@ class Misreadings(Expressions, ABC):
             return self.unreadable(depth)
         if kind == "{":
             self.report("FA033", "A block belongs to an `if`, `else`, `while` or `foreach`", place)
-            return self.detached(depth)
+            block = self.detached(depth)
+            if self.kinds[self.at] == "{":
+                # A row of them is told once.
+                self.mute = self.at
+            return block
         if kind == "else":
             return self.lone_else(depth)
         if kind in words.KINDS and behind == NAME:
@@ -156,13 +160,8 @@ class Misreadings(Expressions, ABC):
 
     def lone_else(self, depth: int) -> Statement | None:
         """`else` without its `if`."""
-        first = self.at
         hint = "An `else` stands right behind the `}` of its `if`"
-        fix: tuple[Edit, ...] = ()
-        if self.kinds[first - 2 : first] == ["}", ";"]:
-            between = self.span(first - 1, first - 1)
-            hint, fix = "Remove the `;` before it", (Edit(between, ""),)
-        self.report("FA032", "There is no `if` for this `else`", self.here(), hint, fix=fix)
+        self.report("FA032", "There is no `if` for this `else`", self.here(), hint)
         self.at += 1
         self.mute = self.at
         return self.detached(depth) if self.kinds[self.at] == "{" else None

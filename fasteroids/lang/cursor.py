@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from fasteroids.lang.machine import Each, Frame, Machine, Running, place
 from fasteroids.lang.values import shown
 
@@ -19,7 +21,7 @@ def cursor(machine: Machine, *, around: int = 1) -> str:
     The mark is as long as the piece that comes next; of a piece of several lines it marks the first.
     """
     span = place(machine)
-    lines = machine.code.source.splitlines() or [""]
+    lines = re.split(r"\r\n?|\n", machine.code.source)
     here = min(span.line, len(lines))
     shown_lines = range(max(1, here - around), min(len(lines), here + around) + 1)
     width = len(str(shown_lines[-1]))

@@ -46,6 +46,7 @@ def leap(
     `prints`. Returns the fuel left, and the action with its place in the text.
     """
     blocks = code.blocks
+    world.skipped = 0
     number, index, rest = stack.pop()
     block = blocks[number]
     action: Action | None = None
@@ -65,7 +66,6 @@ def leap(
             try:
                 value = instruction.closure(env, world)
             except Stuck:
-                world.skipped = 0
                 break
         if form is ASSIGN:
             env[instruction.target] = value
@@ -99,7 +99,6 @@ def leap(
             index += 1
         else:
             if form is TURN and not -inf < value < inf:
-                world.skipped = 0
                 break
             action, span = instruction.action or Turn(value), instruction.span
             index += 1

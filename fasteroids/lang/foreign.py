@@ -1,12 +1,10 @@
 """What people bring along from other languages, and what it is here.
 
-Some of it is grammatical (a variable may be called `this`), so the checker reads these tables too. `closest` finds
-the word that a misspelt one stands for.
+Some of it is grammatical (a variable may be called `this`), so the checker reads these tables too.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import Final
 
 __all__ = [
@@ -22,7 +20,6 @@ __all__ = [
     "STATEMENTS",
     "SYNONYMS",
     "TYPES",
-    "closest",
 ]
 
 CONSTANTS: Final = {
@@ -124,38 +121,3 @@ FUNCTIONS: Final = frozenset(
     }
 )  # fmt: skip
 """Functions that are not misspelt but missing."""
-
-
-def closest(word: str, choices: Iterable[str]) -> str | None:
-    """The choice that `word` is most likely a misspelling of, or None.
-
-    One in another case first; else the first of the least edit distance, at most 1 for short words and 2 from six
-    letters on. Insertions, deletions, changes and swaps of neighbours count 1 (optimal string alignment). Words of
-    one or two letters resemble everything: they are no choice but in another case.
-    """
-    lowered = word.lower()
-    most = 1 if len(word) < 6 else 2
-    best: str | None = None
-    for choice in choices:
-        if lowered == choice.lower():
-            return choice
-        if len(choice) > 2 and abs(len(choice) - len(word)) <= most:
-            apart = _distance(lowered, choice)
-            if apart <= most:
-                best, most = choice, apart - 1
-    return best
-
-
-def _distance(a: str, b: str) -> int:
-    """How many edits make `b` of `a`."""
-    before: list[int] = []
-    above = list(range(len(b) + 1))
-    for i, letter in enumerate(a, 1):
-        row = [i]
-        for j, other in enumerate(b, 1):
-            least = min(above[j] + 1, row[-1] + 1, above[j - 1] + (letter != other))
-            if i > 1 and j > 1 and letter == b[j - 2] and a[i - 2] == other:
-                least = min(least, before[j - 2] + 1)
-            row.append(least)
-        before, above = above, row
-    return above[-1]

@@ -310,8 +310,8 @@ def _block_comment(piece: str, span: Span) -> Diagnostic:
 
 def quoted(text: str) -> str:
     """A piece of source for a message: between backquotes, cut to some length, in one printable line."""
-    short = text if len(text) <= 24 else text[:20] + "…"
-    return "`" + "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in short) + "`"
+    shown = "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in text[:25])
+    return f"`{shown}`" if len(shown) <= 24 else f"`{shown[:20]}…`"
 
 
 def _described(text: str) -> str:

@@ -342,9 +342,9 @@ def run(machine: Machine, view: View, fuel: int) -> Ran:
                 return Ran(machine, action, tuple(prints), fuel, span)
         # What comes is costly, stuck, or half done: to the end of that instruction by small steps.
         while fuel > 0 and isinstance(machine, Running):
-            machine, action, some, left, span = run_by_steps(machine, world, 1)
+            machine, action, some, _, span = run_by_steps(machine, world, 1)
             prints += some
-            fuel += left - 1
+            fuel -= 1
             if action is not None:
                 return Ran(machine, action, tuple(prints), fuel, span)
             if isinstance(machine, Running) and _between(machine):
@@ -364,7 +364,8 @@ def _leapt(
     """Whole instructions, see `fasteroids.lang.fast`."""
     code, store = machine.code, machine.store
     first = machine.todo.first
-    if code.blocks[first.block][first.index].worst > fuel:
+    instruction = code.blocks[first.block][first.index]
+    if instruction.worst > fuel or not instruction.sound:
         return machine, None, fuel, None
     stack: list[Entry] = [
         (f.block, f.index, list(f.rest)[::-1] if isinstance(f, Each) else None)

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable
 from typing import Final
 
-__all__ = ["LONGEST", "closest", "distance", "shortened"]
+__all__ = ["LONGEST", "closest", "closest_word", "distance", "shortened"]
 
 LONGEST: Final = 32
 """Longer words are not compared, and shown cut: nobody types them twice by hand."""
@@ -30,6 +30,26 @@ def closest(word: str, candidates: Iterable[str]) -> str | None:
         if edits is not None and (fewest is None or edits < fewest):
             best, fewest = candidate, edits
     return best
+
+
+def closest_word(word: str, choices: Iterable[str]) -> str | None:
+    """The word of the language that `word` is most likely a misspelling of, or None.
+
+    One in another case first; else one of the least edit distance, at most 1 for short words and 2 from six letters
+    on; of several one with the same letters, else the first. Insertions, deletions, changes and swaps of neighbours
+    count 1 (optimal string alignment). Choices of one or two letters resemble everything, and do not count.
+    """
+    lowered = word.lower()
+    most = 1 if len(word) < 6 else 2
+    found: list[tuple[int, bool, str]] = []
+    for choice in choices:
+        if lowered == choice.lower():
+            return choice
+        if len(choice) > 2 and abs(len(choice) - len(word)) <= most:
+            apart = distance(lowered, choice.lower())
+            if apart <= most:
+                found.append((apart, sorted(lowered) != sorted(choice.lower()), choice))
+    return min(found, key=lambda one: one[:2])[2] if found else None
 
 
 def _edits(word: str, candidate: str) -> int | None:

@@ -17,7 +17,7 @@ from typing import Final
 
 from attrs import frozen
 
-from fasteroids.lang import foreign, words
+from fasteroids.lang import words
 from fasteroids.lang._braces import balance
 from fasteroids.lang._heads import Heads
 from fasteroids.lang.diagnostics import Diagnostic
@@ -273,5 +273,3 @@ _STATEMENTS: Final[dict[str, Callable[[_Parser, int], Statement | None]]] = {
     "if": _Parser.if_,
     "foreach": _Parser.foreach,
 }
-
-assert foreign.KINDS.keys().isdisjoint(words.KINDS)

@@ -8,6 +8,7 @@ from typing import Final
 from attrs import frozen
 
 from fasteroids.lang.diagnostics import Diagnostic, Edit, Note
+from fasteroids.lang.foreign import CONSTANTS
 from fasteroids.lang.names import closest, shortened
 from fasteroids.lang.source import Span
 from fasteroids.lang.syntax import Declaration, Program, Type
@@ -198,6 +199,9 @@ class _Near:
         self._left -= len(self._types)
         if self._left < 0:
             return None
+        foreign = CONSTANTS.get(name)
+        if foreign is not None and hows.isdisjoint(_SETS) and kind in (_CONSTANTS[foreign], None):
+            return foreign
         candidates = [known for known, its in self._types.items() if kind in (its, None)]
         if hows.isdisjoint(_SETS):
             candidates += [word for word, its in _CONSTANTS.items() if kind in (its, None)]

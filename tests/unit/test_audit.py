@@ -458,3 +458,16 @@ def test_imbalance_of_the_bounces_of_ships(masses: tuple[float, float], speed: f
     found = audit(World(200.0, 200.0).add_all(ships), 70.0 / speed)
     assert found.events["contact"] >= 1
     assert found.ok
+
+
+@pytest.mark.parametrize("side", [-1.0, 1.0])
+@pytest.mark.parametrize("late", [0.02048, 0.3])
+def test_the_clock_of_the_audit_is_as_fine_as_the_worlds(side: float, late: float) -> None:
+    """An old flight and a new, very fast one: the sum of age and time since would lose 5e-8 km."""
+    world = evolved(
+        World(40_000.0, 4_000.0).add(Asteroid(20_000.0, 2_000.0, 0.0, 0.0, 1024.0)), 10_240.0
+    )
+    fast = Asteroid(20_000.0 + side * 10_000.0, 2_000.0, -side * 3e5, 0.0, 1024.0)
+    report = audit(evolved(world, late).add(fast), 20_000.0, max_events=3)
+    assert [m for m in report.margins if not m.ok] == []
+    assert max(m.worst for m in report.margins if m.what == "overlap") < 1e-10

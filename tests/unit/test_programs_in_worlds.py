@@ -18,12 +18,13 @@ from fasteroids import (
 )
 from fasteroids.lang import Halted, Running
 from fasteroids.testing import unfold
+from fasteroids.units import FUEL
 from tests.unit.making import machine
 
 
-def space(text: str, **settings: int) -> World:
+def space(text: str, fuel: int = FUEL) -> World:
     ship = Ship(500, 500, 0, 0, 20, 5e15, 0, program=machine(text), name="red")
-    return World(1000, 1000, **settings).add(ship)
+    return World(1000, 1000, fuel=fuel).add(ship)
 
 
 COUNT = "double n; while (true) { n := n + 1; print n; skip; }"

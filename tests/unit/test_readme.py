@@ -7,6 +7,10 @@ import io
 import re
 from pathlib import Path
 
+import pytest
+
+from fasteroids import check_program, parse_program
+
 ROOT = Path(__file__).resolve().parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
@@ -35,3 +39,23 @@ def test_every_law_test_is_in_the_table() -> None:
     for path in (ROOT / "tests" / "properties").glob("test_*.py"):
         if re.search(r"def test_L\d+_", path.read_text(encoding="utf-8")):
             assert path.name in named
+
+
+def test_the_report_shown_is_the_one_made() -> None:
+    golden = (ROOT / "tests" / "golden" / "second-as-printed.txt").read_text(encoding="utf-8")
+    shown = re.findall(r"^nearest\.ast:.*?(?=\n\n|\n```)", README, re.MULTILINE | re.DOTALL)
+    assert len(shown) == 4
+    assert [] == [report for report in shown if report not in golden]
+
+
+def test_what_is_said_of_programs_is_so(capsys: pytest.CaptureFixture[str]) -> None:
+    guide = (ROOT / "docs" / "programs.md").read_text(encoding="utf-8")
+    text, code = (
+        re.search(f"```{kind}\n(.*?)```", guide, re.DOTALL) for kind in ("text", "python")
+    )
+    assert text is not None
+    assert code is not None
+    assert parse_program(text[1]).program is not None
+    assert check_program(parse_program(text[1]).tree).diagnostics == ()
+    exec(compile(code[1], "programs.md", "exec"), {})
+    assert capsys.readouterr().out == "None 101.0\nFire() None\n"

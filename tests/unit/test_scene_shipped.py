@@ -37,7 +37,9 @@ def faults(text: str) -> list[str]:
 
 
 def test_scenes_that_come_with_the_package() -> None:
-    assert SHIPPED == ["default.toml", "duel.toml", "gas.toml", "squeeze.toml", "thrust.toml"]
+    assert SHIPPED == [
+        "default.toml", "duel.toml", "gas.toml", "pilot.toml", "squeeze.toml", "thrust.toml",
+    ]  # fmt: skip
 
 
 @pytest.mark.parametrize("name", SHIPPED)
@@ -71,6 +73,13 @@ def test_squeeze_counts_the_digits_of_pi() -> None:
             break
         count += happened.kind == "contact" or happened.wall == "left"
     assert count == int(pi * 100)
+
+
+def test_the_pilot_clears_its_field() -> None:
+    run = unfold(shipped("pilot.toml"), until=120.0)
+    assert [ship.name for ship in run.end.ships] == ["pilot"]
+    assert run.end.asteroids == ()
+    assert not any(h.effect in ("halt", "fuel") for h in run.log)
 
 
 def test_duel_is_its_own_mirror_image() -> None:

@@ -31,7 +31,7 @@ def test_help_names_every_command(call: Call, flag: str) -> None:
 def test_every_command_has_help(call: Call, name: str) -> None:
     shown = call(name, "--help")
     assert shown.exit_code == 0
-    assert ("FILE" if name == "check" else "SCENE") in shown.stdout
+    assert ("FILE..." if name == "check" else "SCENE") in shown.stdout
 
 
 def test_version(call: Call) -> None:
