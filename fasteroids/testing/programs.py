@@ -117,7 +117,7 @@ def expressions(
 # knows that it may put an inner piece in the place of an outer one.
 
 _DOUBLES: Final = st.sampled_from([
-    *("number", "number", "getdir", "variable", "variable", "variable"),
+    *("zero", "number", "number", "getdir", "variable", "variable", "variable"),
     *("getter", "getter", "getter", "arithmetic", "arithmetic", "arithmetic", "minus", "call"),
 ])  # fmt: skip
 _BOOLS: Final = st.sampled_from([
@@ -125,7 +125,7 @@ _BOOLS: Final = st.sampled_from([
     *("guarded", "guarded"),
 ])  # fmt: skip
 _STATEMENTS: Final = st.sampled_from([
-    *("action", "action", "action", "action", "print", "declaration"),
+    *("print", "action", "action", "action", "action", "action", "action", "declaration"),
     *("assignment", "assignment", "assignment", "assignment"),
     *("if", "if", "test", "test", "foreach", "foreach", "foreach"),
     *("while", "forever", "count", "count"),
@@ -157,6 +157,8 @@ def _double(draw: st.DrawFn, scope: _Scope, room: int) -> Expression:
     form = draw(_DOUBLES)
     inner = _expression("double", scope, room - 1)
     match "variable" if form in _NESTING and not room else form:
+        case "zero":  # drawn in one, to shrink to
+            return Number(0.0)
         case "variable" if names:
             return scope.name(draw(_among(names)))
         case "getter":
@@ -210,7 +212,7 @@ def _entity(draw: st.DrawFn, scope: _Scope) -> Expression:
 
 def _subject(draw: st.DrawFn, scope: _Scope) -> Expression:
     """An entity to read from: seldom null."""
-    match draw(_among(("self",) * 4 + ("known",) * 8 + ("any",))):
+    match draw(_among(("self", "self", "known", "known", "known", "any"))):
         case "known" if scope.known:
             return scope.name(draw(_among(scope.known)))
         case "any":
@@ -346,7 +348,7 @@ def programs(
     """
     some = ("skip", "turn", *("fire",) * fire, *("thrust", "thrust_off") * thrust) * actions
     scope = _Scope(_by_type(VARIABLES), some, set(), set())
-    rows = draw(st.lists(_statement(scope, depth), max_size=5))
+    rows = draw(st.lists(_statement(scope, depth), max_size=6))
     missing = [name for name in VARIABLES if name in scope.used - scope.declared]
     first = [Declaration(VARIABLES[name], Name(name)) for name in missing]
     return Program(Block((*first, *(s for row in rows for s in row))))

@@ -8,9 +8,10 @@ from hypothesis import strategies as st
 
 from fasteroids.lang.parser import parse_program
 from fasteroids.lang.printer import printed
-from fasteroids.lang.syntax import Program
+from fasteroids.lang.syntax import MOST_NESTED, Program
 from fasteroids.testing import program_texts, programs, trees
 from tests.oracle.reading import read
+from tests.oracle.walking import depth
 from tests.oracle.writing import damaged, noisy
 
 any_program = st.one_of(programs(), trees())
@@ -46,6 +47,46 @@ def test_both_parsers_refuse_a_damaged_text_or_read_the_same(text: str) -> None:
 @pytest.mark.parametrize("good", [True, False])
 def test_damage_is_often_fatal_and_sometimes_not(good: bool) -> None:
     find(damaged(any_text), lambda text: (read(text) is not None) == good and len(text) > 40)
+
+
+# The limit to nesting, which the oracle has not.
+
+
+_WAYS = ["{}+1", "1+({})", "-{}", "getx {}", "cos({})"]
+_HEADS = ["while b {{{}}}", "if b {{}} else {{{}}}", "if b {{}} else if b {{{}}}"]
+
+
+@st.composite
+def deep(draw: st.DrawFn) -> str:
+    """A text about as deep as a program may be, in one way or a few by turns."""
+    ways = draw(st.lists(st.sampled_from(_WAYS), min_size=1, max_size=3))
+    heads = draw(st.lists(st.sampled_from(_HEADS), max_size=20))
+    text = "a"
+    # A head is two nodes or more: a statement and its block.
+    for way in (ways * MOST_NESTED)[: MOST_NESTED - 2 * len(heads) - draw(st.integers(-5, 25))]:
+        text = way.format(text)
+    text = f"print {text};"
+    for head in heads:
+        text = head.format(text)
+    return text
+
+
+@given(deep())
+def test_a_text_is_refused_for_its_depth_just_where_its_tree_is_deeper_than_the_limit(
+    text: str,
+) -> None:
+    program = read(text)
+    assert program is not None
+    if depth(program.body) <= MOST_NESTED:
+        assert parse_program(text).program == program
+    else:
+        assert "nested too deeply" in parse_program(text).diagnostics[0].message
+
+
+@pytest.mark.parametrize("pairs", [MOST_NESTED, MOST_NESTED + 1])
+def test_parentheses_nobody_needs_have_the_same_limit(pairs: int) -> None:
+    parsed = parse_program(f"print {'(' * pairs}1{')' * pairs};")
+    assert (parsed.program is None) == (pairs > MOST_NESTED)
 
 
 # Where two readings of the definition are possible: this one is meant.
