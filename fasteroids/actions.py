@@ -127,7 +127,11 @@ class Ticked(NamedTuple):
 
 @runtime_checkable
 class Program(Protocol):
-    """A program as a world knows it: an immutable, hashable value that can be run for one tick."""
+    """A program as a world knows it: an immutable, hashable value that can be run for one tick.
+
+    One that has an attribute `checked`, and it is not true, is refused by a ship: programs are type-correct at all
+    times (assignment 1.8.3).
+    """
 
     @property
     def running(self) -> bool:

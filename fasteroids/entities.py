@@ -163,7 +163,9 @@ class Ship(_Disc):
         if not isinstance(self.thruster, bool):
             raise ModelError(f"thruster must be True or False; got {shown(self.thruster)}")
         if self.program is not None and (
-            isinstance(self.program, type) or not isinstance(self.program, Program)
+            isinstance(self.program, type)
+            or not isinstance(self.program, Program)
+            or not getattr(self.program, "checked", True)
         ):
             raise ModelError(
                 f"program must be a checked program or None; got {shown(self.program)}"

@@ -8,7 +8,7 @@ from fasteroids.lang.diagnostics import Diagnostic
 from fasteroids.lang.front import diagnose
 from fasteroids.lang.machine import Machine, started
 from fasteroids.lang.machine.code import compiled
-from fasteroids.lang.parser import parse_program
+from fasteroids.lang.parser import Parsed, parse_program
 from fasteroids.lang.printer import printed
 from fasteroids.lang.syntax import Program
 from fasteroids.units import ModelError, shown
@@ -26,23 +26,30 @@ class Checked:
     """Every error, by place."""
 
 
-def check_program(program: Program) -> Checked:
+def check_program(program: Program | Parsed | None) -> Checked:
     """Is a program type-correct (assignment 1.8.3)? If so it is made ready to run.
 
-    `program` is a tree, of `parse_program(text).program` or built by hand. What runs is its text, so a tree that was
-    changed, or never had a text, gets its normal form. `ModelError` if it is no tree, or one that no text gives.
+    `program` is a tree, of `parse_program(text).program` or built by hand, or all that `parse_program` gave; then its
+    syntax errors are among the diagnostics. None, the tree of a text with errors, gives no program and no diagnostics.
+    What runs is its text, so a tree that was changed, or never had a text, gets its normal form. `ModelError` if it is
+    no tree, or one that no text gives.
     """
+    if program is None:
+        return Checked(None, ())
+    if isinstance(program, Parsed):
+        if program.program is None:
+            return Checked(None, diagnose(program.tree.source))
+        program = program.program
     if not isinstance(program, Program):
-        hint = "; see the diagnostics of parse_program" if program is None else ""
         raise ModelError(
-            f"a program to check is a tree, as parse_program gives; got {shown(program)}{hint}"
+            f"a program to check is a tree, as parse_program gives; got {shown(program)}"
         )
     if not program.source or parse_program(program.source).tree != program:
         program = _with_text(program)
     diagnostics = diagnose(program.source)
     if any(each.severity == "error" for each in diagnostics):
         return Checked(None, diagnostics)
-    return Checked(started(compiled(parse_program(program.source).tree)), diagnostics)
+    return Checked(started(compiled(parse_program(program.source).tree, checked=True)), diagnostics)
 
 
 def _with_text(program: Program) -> Program:

@@ -118,6 +118,11 @@ class Running:
     """Frames, innermost first; never empty, and none at the end of its block."""
 
     @property
+    def checked(self) -> bool:
+        """Was its program found type-correct? A ship takes no other."""
+        return self.code.checked
+
+    @property
     def running(self) -> bool:
         """True: it has more ticks."""
         return True
@@ -135,6 +140,11 @@ class Halted:
     store: PMap[str, Value] = field(eq=_store)
     reason: str | None = None
     span: Span | None = None
+
+    @property
+    def checked(self) -> bool:
+        """Was its program found type-correct? A ship takes no other."""
+        return self.code.checked
 
     @property
     def running(self) -> bool:

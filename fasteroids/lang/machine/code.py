@@ -97,22 +97,27 @@ class Code:
     blocks: tuple[tuple[Instruction, ...], ...] = field(eq=False, repr=False)
     defaults: PMap[str, Value] = field(eq=False, repr=False)
     """What each variable holds at the start: 0, false or null."""
+    checked: bool = field(default=False, eq=False, repr=False)
+    """Was it found type-correct?"""
 
     def __reduce__(self) -> Any:
-        return compiled, (self.program,)
+        return compiled, (self.program, self.checked)
 
     def __deepcopy__(self, _: object) -> Code:
         return self
 
 
-def compiled(program: syntax.Program) -> Code:
-    """The program made ready. It may be ill-typed (then it gets stuck in time), but not have a `Missing`."""
+def compiled(program: syntax.Program, checked: bool = False) -> Code:
+    """The program made ready. It may be ill-typed (then it gets stuck in time), but not have a `Missing`.
+
+    `checked` is for `check_program` to say: no ship takes one that is not.
+    """
     types: dict[str, Type] = {}
     _declare(program.body, types)
     blocks: list[tuple[Instruction, ...]] = []
     _number(program.body, types, blocks)
     defaults = pmap({name: DEFAULTS[type_] for name, type_ in types.items()})
-    return Code(program.source, program, tuple(blocks), defaults)
+    return Code(program.source, program, tuple(blocks), defaults, checked)
 
 
 def _declare(block: Block, types: dict[str, Type]) -> None:

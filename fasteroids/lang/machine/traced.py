@@ -73,6 +73,11 @@ class Traced:
     steps: tuple[Step, ...] = field(default=(), repr=False)
 
     @property
+    def checked(self) -> bool:
+        """Was its program found type-correct?"""
+        return self.machine.checked
+
+    @property
     def running(self) -> bool:
         """Does it still have something to do?"""
         return self.machine.running

@@ -33,6 +33,7 @@ from fasteroids.lang.syntax import Assignment, Block, ForEach, Name, Number, Pri
 from fasteroids.lang.syntax import Program as Tree
 from fasteroids.testing import DictView
 from tests.unit.lang.running import BULLET, RIVAL, ROCK, SHIP, loaded, stepped, to_the_end, view
+from tests.unit.making import machine
 
 FIRST_EXAMPLE = """
 double d;
@@ -387,7 +388,7 @@ def test_a_machine_is_a_program_in_the_sense_of_a_world() -> None:
         10,
         5e15,
         0.0,
-        program=loaded("entity a; foreach (asteroid, a) { } turn gety a;"),
+        program=machine("entity a; foreach (asteroid, a) { } turn gety a;"),
     )
     world = World(1000, 1000).add_all([Asteroid(100, 100, 10, 5, 20), ship])
     flown = evolved(world, 0.2).ships[0]

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import copy
+import pickle
+
 import pytest
 from hypothesis import given
 
 from fasteroids import ModelError, Ship, check_program, parse_program
-from fasteroids.lang import Halted, Running, syntax
+from fasteroids.lang import Halted, Running, started, syntax
+from fasteroids.lang.machine.code import compiled
+from fasteroids.lang.machine.traced import Traced
 from fasteroids.lang.printer import printed
 from fasteroids.testing import programs, trees
 
@@ -35,7 +40,7 @@ def test_an_ill_typed_program_gives_its_errors() -> None:
     assert [d.span.line for d in checked.diagnostics] == [1, 2]
 
 
-@pytest.mark.parametrize("wrong", [None, "fire;", 3, syntax.Block()])
+@pytest.mark.parametrize("wrong", ["fire;", 3, syntax.Block()])
 def test_what_is_no_tree_is_refused(wrong: object) -> None:
     with pytest.raises(ModelError, match="a program to check is a tree"):
         check_program(wrong)  # type: ignore[arg-type]
@@ -75,3 +80,25 @@ def test_trees_without_text_get_one(tree: syntax.Program) -> None:
 def test_any_tree_is_either_ready_or_told_why_not(tree: syntax.Program) -> None:
     checked = check_program(tree)
     assert (checked.program is None) == bool(checked.diagnostics)
+
+
+def test_what_parse_program_gave_is_checked_as_a_whole() -> None:
+    assert check_program(parse_program("fire;")) == check_program(parse_program("fire;").program)
+    broken = check_program(parse_program("turn true; x := ;"))
+    assert broken.program is None
+    assert [d.code[:3] for d in broken.diagnostics] == ["FA1", "FA1", "FA0"]
+    assert check_program(parse_program("x := ;").program) == check_program(None)
+
+
+def test_a_ship_takes_no_program_that_was_not_checked() -> None:
+    for text in ("turn true;", "fire;"):
+        for program in (
+            started(compiled(parse_program(text).tree)),
+            Traced(started(compiled(parse_program(text).tree))),
+        ):
+            with pytest.raises(ModelError, match="program must be a checked program"):
+                Ship(0, 0, 0, 0, 1, 1, 0, program=program)
+    ready = check_program(parse_program("fire; skip;")).program
+    assert ready is not None
+    for same in (ready, copy.deepcopy(ready), pickle.loads(pickle.dumps(ready))):
+        assert Ship(0, 0, 0, 0, 1, 1, 0, program=same).program == ready
