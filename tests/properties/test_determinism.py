@@ -9,11 +9,22 @@ import sys
 
 from hypothesis import given
 
-from fasteroids import Asteroid, Bullet, Fire, Ship, Skip, Thrust, World
-from fasteroids.testing import Script, unfold
+from fasteroids import Asteroid, Bullet, Ship, World
+from fasteroids.testing import unfold
 from tests.properties.laws import BURNING, EVENTS, same, world_law
+from tests.unit.making import machine
 
 GOLDEN = "88b51683219d27cf6e25f6f925052c504e29bf57d0096e1f573d0f68ceed9135"
+
+
+PROGRAM = """
+double d; entity a; entity far;
+foreach (any, a) {
+  if (sqrt(getx a * getx a + gety a * gety a) / 7 > d) { d := sqrt(getx a * getx a + gety a * gety a) / 7; far := a; }
+}
+if (far != null && d % 0.3 >= 0) { fire; } else { turn 1; }
+skip; fire; thrust;
+"""
 
 
 def busy(model: str = "robust") -> World:
@@ -21,9 +32,7 @@ def busy(model: str = "robust") -> World:
     return World(1024, 768, seed=3, model=model).add_all(
         [
             Ship(100, 100, 40, 30, 40, 5e15, 0.0, thruster=True),
-            Ship(
-                500, 600, -70, 10, 30, 2e15, 0.0, program=Script((Fire(), Skip(), Fire(), Thrust()))
-            ),
+            Ship(500, 600, -70, 10, 30, 2e15, 0.0, program=machine(PROGRAM)),
             *(
                 Asteroid(150 + 90 * i, 250 + 31 * (i % 3), 200 - 45 * i, 17 * i - 60, 12 + i)
                 for i in range(9)
