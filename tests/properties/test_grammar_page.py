@@ -84,7 +84,7 @@ def test_the_grammar_of_the_page_takes_every_program(program: tuple[object, str]
 @given(damaged(trees().map(printed)))
 def test_the_grammar_of_the_page_refuses_what_the_parser_refuses(text: str) -> None:
     # The grammar has no word on the byte order mark and on numbers beyond the doubles: the text under it has.
-    text = text.removeprefix("\ufeff").replace("9" * 400, "9")
+    text = re.sub(r"[0-9]{300,}", "9", text.removeprefix("\ufeff"))
     assert accepted(text) == (parse_program(text).program is not None)
 
 
