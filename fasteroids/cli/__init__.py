@@ -6,6 +6,7 @@ bug, 130 interrupted.
 
 from __future__ import annotations
 
+import gc
 from importlib import import_module
 from typing import Final
 
@@ -23,6 +24,10 @@ COMMANDS: Final = {
     "explain": "Say what a scene needs of the model, or what a code means.",
 }
 """The commands, with what the help says of them."""
+
+
+_COLLECT_AFTER: Final = 200_000
+"""New records (Python: 700)."""
 
 
 class Commands(click.Group):
@@ -47,7 +52,11 @@ class Commands(click.Group):
         return name, command, rest
 
     def invoke(self, ctx: click.Context) -> None:
-        """Call the command; whatever goes wrong ends in an exit code."""
+        """Call the command; whatever goes wrong ends in an exit code.
+
+        Worlds and diagnostics are many small records without cycles: the collector is to look at them seldom.
+        """
+        gc.set_threshold(_COLLECT_AFTER)
         ctx.exit(guarded(lambda: super(Commands, self).invoke(ctx)))
 
 

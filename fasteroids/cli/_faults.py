@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from typing import Any, Final
 from urllib.parse import quote
 
@@ -47,7 +48,7 @@ def _record(file: Checked, each: Diagnostic) -> dict[str, Any]:
         "phase": _PHASES[each.code[2]],
         "message": each.message,
         "hint": each.hint,
-        "file": file.place,
+        "file": file.place.encode(errors="backslashreplace").decode(),
         "line": each.span.line,
         "column": each.span.column,
         "end_line": each.span.end_line,
@@ -69,7 +70,8 @@ def as_github(checked: list[Checked]) -> list[str]:
 
 def _command(file: Checked, each: Diagnostic) -> str:
     span = each.span
-    places = {"file": file.place, "line": span.line, "endLine": span.end_line}
+    name = file.place.encode(errors="backslashreplace").decode()
+    places = {"file": name, "line": span.line, "endLine": span.end_line}
     if span.line == span.end_line:  # columns of a piece of many lines are refused
         places |= {"col": span.column, "endColumn": span.end_column}
     places["title"] = each.code
@@ -90,7 +92,7 @@ _SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
 
 
 def as_sarif(checked: list[Checked]) -> list[str]:
-    """One log with one run."""
+    """One log with one run, a line a result."""
     from importlib.metadata import version  # slow, and for this format only
 
     codes = sorted({each.code for file in checked for each in file.found})
@@ -99,14 +101,20 @@ def as_sarif(checked: list[Checked]) -> list[str]:
         "semanticVersion": version("fasteroids"),
         "rules": [_rule(code) for code in codes],
     }
-    run = {
-        "tool": {"driver": driver},
-        "columnKind": "unicodeCodePoints",
-        "results": [
-            _result(file, each, codes.index(each.code)) for file in checked for each in file.found
-        ],
-    }
-    return [json.dumps({"$schema": _SCHEMA, "version": "2.1.0", "runs": [run]}, indent=2)]
+    index = {code: i for i, code in enumerate(codes)}
+    results = [
+        json.dumps(_result(file, each, index[each.code])) for file in checked for each in file.found
+    ]
+    head = json.dumps({"$schema": _SCHEMA, "version": "2.1.0"})[1:-1]
+    return [
+        f'{{{head}, "runs": [{{',
+        f'"tool": {json.dumps({"driver": driver})},',
+        '"columnKind": "unicodeCodePoints",',
+        '"results": [',
+        *(f"{result}," for result in results[:-1]),
+        *results[-1:],
+        "]}]}",
+    ]
 
 
 def _rule(name: str) -> dict[str, Any]:
@@ -163,4 +171,4 @@ def _edit(edit: Edit) -> dict[str, Any]:
 def _uri(place: str) -> str:
     if place == "-":
         return "stdin"
-    return quote(place.replace("\\", "/"), errors="surrogateescape")
+    return quote(place.replace(os.sep, "/"), errors="surrogateescape")

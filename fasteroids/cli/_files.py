@@ -74,25 +74,27 @@ def _text_of(scene: str) -> tuple[str, str]:
     if scene == STDIO:
         if sys.stdin is None:
             raise Refusal("standard input is closed")
-        return "standard input", _decoded("standard input", _read(sys.stdin.buffer, "scene"))
+        return "standard input", _decoded(
+            "standard input", _read(sys.stdin.buffer, "standard input", "scene")
+        )
     path = Path(scene)
     if not path.exists() and path.name == scene and (text := shipped().get(scene)) is not None:
         return scene, text
     try:
         with path.open("rb") as file:
             title = path.name if path.name.isprintable() else repr(path.name)
-            return title, _decoded(title, _read(file, "scene"))
+            return title, _decoded(title, _read(file, title, "scene"))
     except FileNotFoundError:
         raise Refusal(_missing(scene)) from None
     except OSError as error:
         raise Refusal(f"cannot read {reason(error)}") from None
 
 
-def _read(file: IO[bytes], what: str) -> bytes:
+def _read(file: IO[bytes], title: str, what: str) -> bytes:
     most = _MOST_BYTES if what == "scene" else _MOST_BYTES_OF_PROGRAM
     data = file.read(most + 1)
     if len(data) > most:
-        raise Refusal(f"a {what} has at most {most} bytes; this one has more")
+        raise Refusal(f"{title}: a {what} has at most {most} bytes; this one has more")
     return data
 
 
@@ -122,6 +124,8 @@ def _reader(folder: Path) -> Callable[[str], bytes]:
     """What reads the programs that a scene in this folder names."""
 
     def read(name: str) -> bytes:
+        if not name:
+            raise ModelError("must be the name of a file")
         try:
             return read_program(os.path.join(".", folder, name))  # noqa: PTH118 so that "-" is a file
         except Refusal as refusal:
@@ -135,10 +139,12 @@ def read_program(place: str) -> bytes:
     if place == STDIO:
         if sys.stdin is None:
             raise Refusal("standard input is closed")
-        return _read(sys.stdin.buffer, "program")
+        return _read(sys.stdin.buffer, "standard input", "program")
+    if not place:
+        raise Refusal("cannot read '': there is no such file")
     try:
         with Path(place).open("rb") as file:
-            return _read(file, "program")
+            return _read(file, repr(place), "program")
     except OSError as error:
         raise Refusal(f"cannot read {reason(error)}") from None
     except ValueError:  # a null character in a name

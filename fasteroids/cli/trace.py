@@ -96,31 +96,51 @@ def command(
         raise fold.error
     if fold.note is not None:
         click.echo(fold.note, err=True)
-    elif pilot not in fold.world:
-        click.echo(f"the ship is dead by {number(fold.world.time)} s", err=True)
-    click.echo(f"{counted(ticks, 'tick')} from {number(start)} s to {number(end)} s", err=True)
+    last = fold.world.time
+    fate = _fate(fold.world, pilot)
+    click.echo(
+        f"{counted(ticks, 'tick')} from {number(start)} s to {number(max(start, last))} s{fate}",
+        err=True,
+    )
     return INTERRUPTED if fold.stopped == "interrupted" else DONE
 
 
 def _pilot(world: World, name: str | None) -> int:
-    """The id of the ship meant; `Refusal` says which there are."""
+    """The id of the ship meant: by its name, else by its id. `Refusal` says which there are."""
     flown = [s for s in world.ships if isinstance(s.program, Machine)]
     if not flown:
         raise Refusal("no ship of this scene has a program")
+    known = ", ".join(f"{label(s)} (id {s.id})" if s.name else str(s.id) for s in flown)
     if name is None:
-        if len(flown) > 1:
-            raise Refusal(f"say which ship with --ship: {', '.join(map(label, flown))}")
-        return id_of(flown[0])
-    for s in world.ships:
-        if name in (s.name, str(s.id), f"#{s.id}"):
-            if not isinstance(s.program, Machine):
-                raise Refusal(f"{label(s)} has no program")
-            return id_of(s)
-    near = get_close_matches(name, [s.name or str(s.id) for s in flown], n=1)
-    hint = f" (did you mean {near[0]!r}?)" if near else ""
-    raise Refusal(
-        f"there is no ship {name!r}{hint}; with a program: {', '.join(map(label, flown))}"
-    )
+        meant = flown
+    else:
+        meant = [s for s in world.ships if s.name == name]
+        meant = meant or [s for s in world.ships if name.removeprefix("#") == str(s.id)]
+    if len(meant) > 1:
+        raise Refusal(f"say which ship with --ship ID: {known}")
+    if not meant:
+        near = get_close_matches(name or "", [s.name or str(s.id) for s in flown], n=1)
+        hint = f" (did you mean {near[0]!r}?)" if near else ""
+        raise Refusal(f"there is no ship {name!r}{hint}; with a program: {known}")
+    if not isinstance(meant[0].program, Machine):
+        raise Refusal(f"{label(meant[0])} has no program; with one: {known}")
+    return id_of(meant[0])
+
+
+def _fate(world: World, pilot: int) -> str:
+    """Why there are no more ticks, if so."""
+    if pilot not in world:
+        return "; the ship is dead"
+    ship = world[pilot]
+    assert isinstance(ship, Ship)
+    if isinstance(ship.program, Traced) and isinstance(halted := ship.program.machine, Halted):
+        where = f" on line {halted.span.line}" if halted.span else ""
+        return (
+            f"; the program stopped{where}: {halted.reason}"
+            if halted.reason
+            else "; the program is over"
+        )
+    return ""
 
 
 def _wanted(happened: Happened | None, pilot: int, start: float) -> bool:

@@ -12,7 +12,8 @@ from typing import Any, TypeAlias
 
 from fasteroids.actions import Program
 from fasteroids.lang import Machine, check_program, parse_program, rendered, started
-from fasteroids.lang.front import diagnose_bytes
+from fasteroids.lang.diagnostics import Diagnostic
+from fasteroids.lang.front import diagnose, diagnose_bytes
 from fasteroids.lang.machine.saved import restored, saved
 from fasteroids.scene._table import TEXT, Faults, Fields, Table
 from fasteroids.units import ModelError
@@ -26,6 +27,10 @@ FIELDS: Fields = {"program": TEXT, "program-text": TEXT, "program-state": TEXT}
 """The fields of a ship that tell its program."""
 
 
+_MOST_SHOWN = 10
+"""Errors of one program that a scene's report shows."""
+
+
 def program_of(
     table: Table, values: dict[str, Any], read: Read | None, faults: Faults
 ) -> Program | None:
@@ -35,16 +40,18 @@ def program_of(
     if name is not None and text is not None:
         faults.add(table, "and program-text exclude each other", "program")
         return None
-    data = None if text is None else text.encode()
-    if name is not None:
-        data = _read(table, name, read, faults)
-    if data is None:
+    found: tuple[str, tuple[Diagnostic, ...]] | None = None
+    if text is not None:
+        found = text, diagnose(text)
+    elif name is not None and (data := _read(table, name, read, faults)) is not None:
+        found = diagnose_bytes(data)
+    if found is None:
         if state is not None and name is None:
             faults.add(
                 table, "needs the program it is the state of, in program-text", "program-state"
             )
         return None
-    machine = _machine(table, field, data, name or "program-text", faults)
+    machine = _machine(table, field, *found, name or "program-text", faults)
     return machine if state is None or machine is None else _resumed(table, machine, state, faults)
 
 
@@ -58,12 +65,15 @@ def _read(table: Table, name: str, read: Read | None, faults: Faults) -> bytes |
         return None
 
 
-def _machine(table: Table, field: str, data: bytes, name: str, faults: Faults) -> Machine | None:
-    text, diagnostics = diagnose_bytes(data)
-    errors = [d for d in diagnostics if d.severity == "error"]
+def _machine(
+    table: Table, field: str, text: str, found: tuple[Diagnostic, ...], name: str, faults: Faults
+) -> Machine | None:
+    errors = [each for each in found if each.severity == "error"]
     if errors:
         count = "an error" if len(errors) == 1 else f"{len(errors)} errors"
-        faults.add(table, f"has {count}\n{rendered(errors, text, name)}", field)
+        few = f", of which these are the first {_MOST_SHOWN}" if len(errors) > _MOST_SHOWN else ""
+        report = rendered(errors[:_MOST_SHOWN], text, name)
+        faults.add(table, f"has {count}{few}\n{report}", field)
         return None
     tree = parse_program(text).program
     assert tree is not None
@@ -88,6 +98,10 @@ def row_of(program: Program) -> dict[str, str]:
     if not isinstance(program, Machine):
         raise ModelError("has a program that is no text, and cannot be written to a scene file")
     row = {"program-text": program.code.source}
+    if not program.code.source.isascii() and any(
+        "\ud800" <= c <= "\udfff" for c in program.code.source
+    ):
+        raise ModelError("has a program with lone surrogates, which no file of text can hold")
     if program != started(program.code):
         state = {key: value for key, value in saved(program).items() if key != "source"}
         row["program-state"] = json.dumps(state, separators=(",", ":"))

@@ -101,12 +101,7 @@ def quoted(text: str) -> str:
 
 
 def lines_quoted(text: str) -> str:
-    """A text of several lines as TOML that shows them: `tomllib` reads the same characters back.
-
-    `ModelError` for lone surrogates, which no file of text can hold.
-    """
-    if any("\ud800" <= c <= "\udfff" for c in text):
-        raise ModelError("is no Unicode text: it has lone surrogates")
+    """A text of several lines as TOML that shows them: `tomllib` reads the same characters back."""
     escaped = text.replace("\\", "\\\\").replace('"', '\\"')
     escaped = "".join(c if c.isprintable() or c in "\n\t" else f"\\U{ord(c):08x}" for c in escaped)
     return f'"""\n{escaped}"""'

@@ -111,3 +111,23 @@ def test_fuel_is_kept() -> None:
     assert "fuel = 77" in dump_scene(world)
     assert "fuel must" not in refused(SCENE.replace("height = 1000", "height = 1000\nfuel = 0"))
     assert "from 1 to" in refused(SCENE.replace("height = 1000", "height = 1000\nfuel = 0"))
+
+
+def test_a_mark_at_the_start_of_a_text_comes_back() -> None:
+    for text in ("\ufefffire;", "\ufeff\nfire; skip;"):
+        world = load_scene(SCENE)
+        ship = attrs.evolve(world.ships[0], program=machine(text), id=None)
+        world = World(1000, 1000).add(ship)
+        assert load_scene(dump_scene(world)) == world
+
+
+def test_a_text_no_file_can_hold_is_not_written() -> None:
+    ship = attrs.evolve(load_scene(SCENE).ships[0], program=machine("skip; // \ud800"), id=None)
+    with pytest.raises(ModelError, match="lone surrogates, which no file of text can hold"):
+        dump_scene(World(1000, 1000).add(ship))
+
+
+def test_of_many_errors_the_first_are_shown() -> None:
+    told = refused(SCENE + f'program-text = "{"fire " * 50}"')
+    assert "has 50 errors, of which these are the first 10" in told
+    assert told.count("error FA") == 10

@@ -11,6 +11,7 @@ from typing import Final, Literal
 
 from attrs import frozen
 
+from fasteroids._raw import raw
 from fasteroids.lang import syntax
 from fasteroids.lang.checker.types import EQUALITIES, wants
 from fasteroids.lang.syntax import Declaration, Expression, ForEach, Name, Program, Statement, Type
@@ -23,7 +24,7 @@ Construct = tuple[Node, ForEach | None]
 How = Literal["set", "compared", "looped", "used"]
 
 
-@frozen
+@frozen(weakref_slot=False)
 class Use:
     """A variable at one place of the text."""
 
@@ -33,6 +34,9 @@ class Use:
     how: How
     other: str | None = None
     """The variable that it is set to, set from, or compared with, if it is one: both are of one type."""
+
+
+_use = raw(Use)
 
 
 def constructs(tree: Program) -> list[Construct]:
@@ -92,7 +96,7 @@ def uses(program: Iterable[Construct], variables: Mapping[str, Type]) -> dict[st
             if len(asked) == 2 and _agree(node):
                 partner = asked[1 - i][0]
                 other = partner.name if isinstance(partner, Name) else None
-            use = Use(expression, wanted, _how(node, expression), other)
+            use = _use(expression, wanted, _how(node, expression), other)
             found.setdefault(expression.name, []).append(use)
     for each in found.values():
         each.sort(key=lambda use: use.name.span)

@@ -112,7 +112,9 @@ def test_bytes_that_are_no_text_are_errors_at_their_place(call: Call, folder: Pa
 def test_what_is_far_too_long_is_refused(call: Call, folder: Path) -> None:
     shown = call("check", "-", input=b"\n" * (1024 * 1024 + 1))
     assert shown.exit_code == 2
-    assert shown.stderr == "Error: a program has at most 1048576 bytes; this one has more\n"
+    assert shown.stderr == (
+        "Error: standard input: a program has at most 1048576 bytes; this one has more\n"
+    )
 
 
 @pytest.mark.parametrize("args", [["--format", "xml", "good.ast"], ["--format"]])

@@ -110,6 +110,42 @@ def test_a_stop_is_told(call: Call, scene: str) -> None:
     assert "  1:17    getx e  -> stops: getx null: e is null\n" in shown.stdout
 
 
+def test_why_there_are_no_more_ticks_is_told(call: Call, scene: str) -> None:
+    program = Path(scene).with_name("red.ast")
+    program.write_text("entity e; print getx e;")
+    assert "the program stopped on line 1: getx null: e is null" in call("trace", scene).stderr
+    program.write_text("fire;")
+    assert call("trace", scene).stderr == "1 tick from 0 s to 1 s; the program is over\n"
+    program.write_text("while (true) { fire; }")
+    few = call("trace", scene, "--max-events", "2").stderr
+    assert "stopped at" in few
+    assert "from 0 s to 1 s" not in few
+
+
+def test_ships_of_one_name_are_told_apart_by_id(call: Call, tmp_path: Path) -> None:
+    ship = '[[ship]]\nname = "a"\nid = {}\nx = {}\ny = 50\nradius = 9\nmass = 1\nprogram-text = "skip;"\n'
+    scene = tmp_path / "two.toml"
+    scene.write_text(
+        "[world]\nwidth = 900\nheight = 100\n" + ship.format(5, 100) + ship.format(7, 200)
+    )
+    for args in ([], ["--ship", "a"]):
+        shown = call("trace", str(scene), *args)
+        assert shown.exit_code == 2
+        assert "say which ship with --ship ID: a (id 5), a (id 7)" in shown.stderr
+    assert call("trace", str(scene), "--ship", "7").exit_code == 0
+
+
+def test_thrust_is_not_cut_by_looking_late(call: Call, tmp_path: Path) -> None:
+    """Under the literal rule of thrust every stop is a cut: going to --from first would be one."""
+    scene = tmp_path / "literal.toml"
+    scene.write_text(
+        "[world]\nwidth = 5000\nheight = 1000\n[[ship]]\nname = 'red'\nx = 100\ny = 100\nradius = 10\n"
+        "mass = 5e15\nprogram-text = 'thrust; while (true) { print getx self; skip; }'\n"
+    )
+    whole = call("trace", str(scene), "--to", "3.6").stdout
+    assert whole.endswith(call("trace", str(scene), "--from", "3.5", "--to", "3.6").stdout)
+
+
 def test_an_ill_typed_program_is_told_in_full(call: Call, scene: str) -> None:
     Path(scene).with_name("red.ast").write_text("turn true;")
     for command in ("run", "trace"):
