@@ -40,16 +40,16 @@ def with_article(kind: Type) -> str:
 def type_of(expression: Expression, variables: Mapping[str, Type]) -> Type | None:
     """The evident type of an expression; None if it is a variable of unknown type, or `Missing`."""
     match expression:
+        case syntax.Name(name):
+            return variables.get(name)
+        case syntax.Unary(operator) | syntax.Binary(operator):
+            return GIVES[operator]
         case syntax.Number() | syntax.Direction():
             return "double"
         case syntax.Truth():
             return "bool"
         case syntax.Null() | syntax.Self():
             return "entity"
-        case syntax.Name(name):
-            return variables.get(name)
-        case syntax.Unary(operator) | syntax.Binary(operator):
-            return GIVES[operator]
         case syntax.Missing():
             return None
 

@@ -111,7 +111,7 @@ def _mistaken(program: Sequence[Construct], types: Mapping[str, Type]) -> dict[s
     What the declared types of other variables say must not speak against it.
     """
     likely: dict[str, Type] = {}
-    for name, each in uses(program, {}).items():
+    for name, each in uses(program, {}).items() if types else ():
         kinds = set(_asked(each))
         hard = [use for use in each if use.wanted is not None]
         enough = len(hard) > 1 or any(use.how == "looped" for use in hard)
