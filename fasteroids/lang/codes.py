@@ -235,7 +235,8 @@ SYNTAX: Final[dict[str, Code]] = {
         why=(
             "A program has at most 100 parts inside each other, counting blocks, statements and "
             "expressions, and at most 100 open parentheses. A sum of many terms is nested too: "
-            "each `+` holds all that stands on its left."
+            "each `+` holds all that stands on its left. So is a chain of `else if`: each stands in the "
+            "`else` before it."
         ),
         wrong="turn 1" + " + 1" * 100 + ";",
         right="turn 1 + 1;",
