@@ -25,6 +25,7 @@ __all__ = [
     "open_scene",
     "read_program",
     "shipped",
+    "shipped_programs",
     "write_whole",
 ]
 
@@ -43,15 +44,24 @@ _BATCH = 64 * 1024  # characters that lines to a file wait for
 
 def shipped() -> dict[str, str]:
     """The scenes that come with the package: text by name."""
+    return _shipped("scenes", ".toml")
+
+
+def shipped_programs() -> dict[str, str]:
+    """The ship programs that come with the package: text by name."""
+    return _shipped("programs", ".ast")
+
+
+def _shipped(folder: str, suffix: str) -> dict[str, str]:
     from importlib.resources import files  # not needed for a path
 
-    folder = files("fasteroids") / "scenes"
-    if not folder.is_dir():
+    place = files("fasteroids") / folder
+    if not place.is_dir():
         return {}
     return {
-        each.name.removesuffix(".toml"): each.read_text(encoding="utf-8")
-        for each in sorted(folder.iterdir(), key=lambda each: each.name)
-        if each.name.endswith(".toml")
+        each.name.removesuffix(suffix): each.read_text(encoding="utf-8")
+        for each in sorted(place.iterdir(), key=lambda each: each.name)
+        if each.name.endswith(suffix)
     }
 
 
@@ -121,11 +131,13 @@ def _missing(scene: str) -> str:
 
 
 def _reader(folder: Path) -> Callable[[str], bytes]:
-    """What reads the programs that a scene in this folder names."""
+    """What reads the programs that a scene in this folder names: files, else those that come with the package."""
 
     def read(name: str) -> bytes:
         if not name:
             raise ModelError("must be the name of a file")
+        if not (folder / name).exists() and (text := shipped_programs().get(name)) is not None:
+            return text.encode()
         try:
             return read_program(os.path.join(".", folder, name))  # noqa: PTH118 so that "-" is a file
         except Refusal as refusal:
