@@ -56,8 +56,12 @@ class Commands(click.Group):
 
         Worlds and diagnostics are many small records without cycles: the collector is to look at them seldom.
         """
+        usual = gc.get_threshold()
         gc.set_threshold(_COLLECT_AFTER)
-        ctx.exit(guarded(lambda: super(Commands, self).invoke(ctx)))
+        try:
+            ctx.exit(guarded(lambda: super(Commands, self).invoke(ctx)))
+        finally:
+            gc.set_threshold(*usual)
 
 
 main = Commands(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import subprocess
 import sys
 from collections.abc import Callable
@@ -130,3 +131,10 @@ def test_guard_leaves_usage_errors_to_click() -> None:
     with pytest.raises(click.UsageError):
         guarded(raising(click.UsageError("no")))
     assert main.name == "fasteroids"
+
+
+def test_a_command_leaves_the_collector_as_it_was(call: Call) -> None:
+    usual = gc.get_threshold()
+    for args in (["explain", "FA101"], ["explain", "FA999"], ["run"]):
+        call(*args)
+        assert gc.get_threshold() == usual
