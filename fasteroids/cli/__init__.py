@@ -22,6 +22,7 @@ COMMANDS: Final = {
     "trace": "Tell each small step of a ship's program.",
     "check": "Find every fault of ship programs.",
     "explain": "Say what a scene needs of the model, or what a code means.",
+    "new": "Write a program or a scene to start from.",
 }
 """The commands, with what the help says of them."""
 

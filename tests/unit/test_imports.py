@@ -11,7 +11,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = ROOT / "fasteroids"
-HEAVY = ["click", "hypothesis", "numba", "numpy", "rich", "textual"]
+HEAVY = ["click", "hypothesis", "numba", "numpy", "pygments", "rich", "textual"]
 LINT = "from importlinter.cli import lint_imports; raise SystemExit(lint_imports(no_cache=True))"
 
 
@@ -41,6 +41,7 @@ def test_contracts_hold() -> None:
         ("__init__.py", "import click", "know the terminal"),
         ("scene.py", "def load():\n    import rich.table", "know the terminal"),
         ("testing/surplus.py", "import textual", "know the terminal"),
+        ("lang/words.py", "import pygments", "know the terminal"),
         ("models/surplus.py", "import hypothesis", "know Hypothesis"),
         ("cli/surplus.py", "import hypothesis", "know Hypothesis"),
         ("cli/surplus.py", "import fasteroids.testing", "works without the strategies"),
