@@ -31,7 +31,7 @@ def test_help_names_every_command(call: Call, flag: str) -> None:
 def test_every_command_has_help(call: Call, name: str) -> None:
     shown = call(name, "--help")
     assert shown.exit_code == 0
-    assert ("FILE..." if name == "check" else "SCENE") in shown.stdout
+    assert ("FILE..." if name in {"check", "fmt"} else "SCENE") in shown.stdout
 
 
 def test_version(call: Call) -> None:
@@ -51,7 +51,7 @@ def test_unknown_command_suggests_one(call: Call) -> None:
 
 
 @pytest.mark.parametrize(
-    "args", [["run"], ["audit"], ["explain"], ["check"], ["run", "x", "--nonsense"]]
+    "args", [["run"], ["audit"], ["explain"], ["check"], ["fmt"], ["run", "x", "--nonsense"]]
 )
 def test_usage_errors(call: Call, args: list[str]) -> None:
     shown = call(*args)
