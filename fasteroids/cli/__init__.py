@@ -21,6 +21,7 @@ COMMANDS: Final = {
     "audit": "Run a scene and measure how well the laws were kept.",
     "trace": "Tell each small step of a ship's program.",
     "check": "Find every fault of ship programs.",
+    "fmt": "Bring ship programs into their one normal form.",
     "explain": "Say what a scene needs of the model, or what a code means.",
     "new": "Write a program or a scene to start from.",
 }

@@ -18,11 +18,12 @@ same double. The language knows no exponents: 1e-300 has 300 of them.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from decimal import Decimal
 from math import copysign, isfinite
-from typing import assert_never
+from typing import Final, NamedTuple, assert_never
 
+from fasteroids.lang.source import Span
 from fasteroids.lang.syntax import (
     Act,
     Assignment,
@@ -48,87 +49,133 @@ from fasteroids.lang.syntax import (
 )
 from fasteroids.lang.words import BINARY, CALLS, GETTERS
 
-__all__ = ["printed"]
+__all__ = ["INDENT", "Line", "lines", "printed"]
 
-_INDENT = "  "
+INDENT: Final = "  "
+"""One level."""
+
 _LOOSEST = min(BINARY.values())
 _PREFIX = max(BINARY.values()) + 1
 """How strongly prefix operators bind: more than any binary one."""
+
+
+class Line(NamedTuple):
+    """A line in normal form.
+
+    `text` is without its blanks in front, of which there are `level` times `INDENT`. `span` is what it was read from:
+    a statement with its `;`, a head up to its `{`, a `}`, or all from a `}` to the `{` of the `else` behind it.
+    """
+
+    level: int
+    text: str
+    span: Span
+
+
+def _never(_block: Block) -> bool:
+    return False
+
+
+def lines(block: Block, apart: Callable[[Block], bool] = _never) -> Iterator[Line]:
+    """The lines of a program's body or of the statements of any other block, which start at level 0.
+
+    An `else` of one `if` is `else if`, unless it is to stay `apart`: then it has braces, which mean the same.
+    """
+    return _block(block, 0, apart)
 
 
 def printed(node: Program | Block | Statement | Expression) -> str:
     """The text of a tree, in normal form.
 
     That of a program ends in a line end, unless it is empty; that of a block is its statements, without braces. Places
-    and the text a tree was read from have no say, so comments are lost. `Missing` and numbers that no text gives
-    (negative, inf, nan) are an `AssertionError`: such a tree is ours to keep away from here.
+    and the text a tree was read from have no say, so comments are lost (`formatter` keeps them). `Missing` and numbers
+    that no text gives (negative, inf, nan) are an `AssertionError`: such a tree is ours to keep away from here.
     """
     if isinstance(node, Program):
-        return "".join(f"{line}\n" for line in _block(node.body))
+        return "".join(INDENT * level + text + "\n" for level, text, _ in lines(node.body))
     if isinstance(node, Block):
-        return "\n".join(_block(node))
+        return "\n".join(INDENT * level + text for level, text, _ in lines(node))
     if isinstance(node, Declaration | Assignment | If | While | ForEach | Print | Turn | Act):
-        return "\n".join(_statement(node))
+        return printed(Block((node,)))
     return _expression(node, _LOOSEST)
 
 
 # Statements, as lines.
 
 
-def _block(block: Block) -> Iterator[str]:
+def _block(block: Block, level: int, apart: Callable[[Block], bool]) -> Iterator[Line]:
     for statement in block.statements:
-        yield from _statement(statement)
+        match statement:
+            case If():
+                yield from _choice(statement, level, apart)
+            case While(condition, body):
+                head = f"while ({_whole(condition)}) {{"
+                yield from _loop(head, body, statement.span, level, apart)
+            case ForEach(kind, variable, body):
+                head = f"foreach ({kind}, {variable.name}) {{"
+                yield from _loop(head, body, statement.span, level, apart)
+            case _:
+                yield Line(level, _simple(statement), statement.span)
 
 
-def _body(block: Block) -> Iterator[str]:
-    """The lines between two braces."""
-    return (_INDENT + line for line in _block(block))
-
-
-def _statement(statement: Statement) -> Iterator[str]:
+def _simple(statement: Declaration | Assignment | Print | Turn | Act) -> str:
+    """A statement of one line."""
     match statement:
         case Declaration(type_, target, None):
-            yield f"{type_} {target.name};"
+            return f"{type_} {target.name};"
         case Declaration(type_, target, value) if value is not None:
-            yield f"{type_} {target.name} := {_whole(value)};"
+            return f"{type_} {target.name} := {_whole(value)};"
         case Assignment(target, value):
-            yield f"{target.name} := {_whole(value)};"
+            return f"{target.name} := {_whole(value)};"
         case Print(value):
-            yield f"print {_whole(value)};"
+            return f"print {_whole(value)};"
         case Turn(angle):
-            yield f"turn {_whole(angle)};"
+            return f"turn {_whole(angle)};"
         case Act(action):
-            yield f"{action};"
-        case While(condition, body):
-            yield f"while ({_whole(condition)}) {{"
-            yield from _body(body)
-            yield "}"
-        case ForEach(kind, variable, body):
-            yield f"foreach ({kind}, {variable.name}) {{"
-            yield from _body(body)
-            yield "}"
-        case If():
-            yield from _choice(statement)
+            return f"{action};"
         case _:
             raise AssertionError(f"no statement: {statement!r}")
 
 
-def _choice(chain: If) -> Iterator[str]:
+def _loop(
+    head: str, body: Block, span: Span, level: int, apart: Callable[[Block], bool]
+) -> Iterator[Line]:
+    yield Line(level, head, _up_to_brace(span, body))
+    yield from _block(body, level + 1, apart)
+    yield Line(level, "}", _brace(body).to(span))
+
+
+def _choice(chain: If, level: int, apart: Callable[[Block], bool]) -> Iterator[Line]:
     """An if, with all the `else if` that follow it."""
-    opening = "if"
+    opening, start, span = "if", chain.span, chain.span
     while True:
-        yield f"{opening} ({_whole(chain.condition)}) {{"
-        yield from _body(chain.then)
+        head = f"{opening} ({_whole(chain.condition)}) {{"
+        yield Line(level, head, _up_to_brace(start, chain.then))
+        yield from _block(chain.then, level + 1, apart)
+        start = _brace(chain.then)
         match chain.orelse:
             case None:
                 break
-            case Block((If() as another,)):
+            case Block((If() as another,)) as orelse if not apart(orelse):
                 opening, chain = "} else if", another
-            case orelse:
-                yield "} else {"
-                yield from _body(orelse)
+            case Block() as orelse:
+                yield Line(level, "} else {", _up_to_brace(start, orelse))
+                yield from _block(orelse, level + 1, apart)
+                start = _brace(orelse)
                 break
-    yield "}"
+    # It may end behind its last `}`: braces around an `else if` are gone.
+    yield Line(level, "}", start.to(span))
+
+
+def _up_to_brace(start: Span, body: Block) -> Span:
+    """From the start of something to the `{` of a block."""
+    line, column = body.span.start
+    return Span(*start.start, line, column + 1)
+
+
+def _brace(body: Block) -> Span:
+    """The `}` of a block."""
+    line, column = body.span.end
+    return Span(line, column - 1, line, column)
 
 
 # Expressions.

@@ -32,7 +32,9 @@ def test_help_names_every_command(call: Call, flag: str) -> None:
 def test_every_command_has_help(call: Call, name: str) -> None:
     shown = call(name, "--help")
     assert shown.exit_code == 0
-    assert {"check": "FILE...", "new": "bot|scene NAME"}.get(name, "SCENE") in shown.stdout
+    assert {"check": "FILE...", "fmt": "FILE...", "new": "bot|scene NAME"}.get(
+        name, "SCENE"
+    ) in shown.stdout
 
 
 def test_version(call: Call) -> None:
@@ -52,7 +54,8 @@ def test_unknown_command_suggests_one(call: Call) -> None:
 
 
 @pytest.mark.parametrize(
-    "args", [["run"], ["audit"], ["explain"], ["check"], ["new"], ["run", "x", "--nonsense"]]
+    "args",
+    [["run"], ["audit"], ["explain"], ["check"], ["fmt"], ["new"], ["run", "x", "--nonsense"]],
 )
 def test_usage_errors(call: Call, args: list[str]) -> None:
     shown = call(*args)
