@@ -323,7 +323,7 @@ TYPE: Final[dict[str, Code]] = {
         "`if` and `while` ask a question that is answered by true or false. A number or an entity is no answer: "
         "compare it with something.",
         "if (getvx self) {\n  thrust;\n}",
-        "if (getvx self != 0) {\n  thrust;\n}",
+        "if (getvx self > 0) {\n  thrust;\n}",
     ),
     "FA105": Code(
         "type",
@@ -377,5 +377,93 @@ TYPE: Final[dict[str, Code]] = {
 }
 """FA101 to FA199, by the checker."""
 
-CODES: Final[dict[str, Code]] = {**SYNTAX, **TYPE}
-"""All of them; FA201 to FA299 are for the lint."""
+LINT: Final[dict[str, Code]] = {
+    "FA201": Code(
+        "lint",
+        "A statement that is never reached",
+        "There is no way out of a loop but its condition. Behind a loop whose condition is always true nothing is ever "
+        "done.",
+        "while (true) {\n  fire;\n}\nthrust;",
+        "thrust;\nwhile (true) {\n  fire;\n}",
+    ),
+    "FA202": Code(
+        "lint",
+        "A block that never runs",
+        "The condition comes to the same whenever it is asked, so one of the ways that the program could go is never "
+        "taken.",
+        "if (1 > 2) {\n  fire;\n}",
+        "if (getx self > 2) {\n  fire;\n}",
+    ),
+    "FA203": Code(
+        "lint",
+        "A loop that burns its fuel",
+        "A program runs until it takes an action, and has fuel for so many small steps a tick. A loop that takes no "
+        "action, and changes no variable that its condition asks, goes round until the fuel is gone, tick after tick: "
+        "the ship does nothing meanwhile. To wait for something, `skip` in the loop.",
+        "while (getx self < 100) {\n}\nfire;",
+        "while (getx self < 100) {\n  skip;\n}\nfire;",
+    ),
+    "FA204": Code(
+        "lint",
+        "A variable that is never read",
+        "What is assigned to this variable is never used: it may be left from an earlier version, or another name is "
+        "read by mistake. To work out its own next value, as in `n := n + 1`, is no use of it.",
+        "double best;\nbest := getx self;\nfire;",
+        "double best;\nbest := getx self;\nturn best;",
+    ),
+    "FA205": Code(
+        "lint",
+        "A variable that is never set",
+        "Nothing is ever assigned to this variable, so it keeps what all variables start with: 0, false or null. "
+        "The assignment may be forgotten, or sets another name by mistake.",
+        "double angle;\nturn angle;",
+        "double angle;\nangle := 0.5;\nturn angle;",
+    ),
+    "FA206": Code(
+        "lint",
+        "A variable that is not used",
+        "It is declared, and not mentioned anywhere else.",
+        "double best;\nfire;",
+        "fire;",
+    ),
+    "FA207": Code(
+        "lint",
+        "Doubles compared for equality",
+        "Doubles that are worked out on two ways, or measured, seldom agree to the last of their 53 bits: 0.1 + 0.2 is "
+        "not 0.3. Ask which is greater, or whether they are close. Variables that only count, in whole numbers, are "
+        "exact; about them there is no warning.",
+        "if (getx self == 100) {\n  fire;\n}",
+        "if (getx self > 99 && getx self < 101) {\n  fire;\n}",
+    ),
+    "FA208": Code(
+        "lint",
+        "An entity that may be null where it is read",
+        "To read `null` stops the program. On some way to this place the variable was not given an entity, or not for "
+        "certain: a for-each may find nobody. A test such as `x != null` makes sure, and so do `self` and the variable "
+        "of a for-each inside of it. A bool that is set along with the variable may be asked too.",
+        "entity a;\nforeach (asteroid, a) {\n}\nturn getx a;",
+        "entity a;\nforeach (asteroid, a) {\n}\nif (a != null) {\n  turn getx a;\n}",
+    ),
+    "FA211": Code(
+        "lint",
+        "An expression that the parser of 2013 grouped otherwise",
+        "To the parser of the course all operators were alike, and grouped to the right: `10 - 3 - 2` was 9. `getx` "
+        "and its like, and `!`, took all that was on their right: `getx a + 1` was `getx (a + 1)`. Parentheses make "
+        "both agree. (`fasteroids check --course` only.)",
+        "turn 10 - 3 - 2;",
+        "turn (10 - 3) - 2;",
+    ),
+    "FA212": Code(
+        "lint",
+        "Something that the parser of 2013 refused",
+        "The parser of the course knew no `%`, no `else if` without braces, and no minus sign before anything but a "
+        "number. And a `-` right before a number was always its sign, so `a -1` was an error. (`fasteroids check "
+        "--course` only.)",
+        "turn getdir -1;",
+        "turn getdir - 1;",
+    ),
+}
+"""FA201 to FA299, by the lint. Warnings: such a program runs."""
+
+CODES: Final[dict[str, Code]] = {**SYNTAX, **TYPE, **LINT}
+"""All of them."""
