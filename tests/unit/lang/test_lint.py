@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 
 from fasteroids.lang import Halted, Machine, Running, check_program, diagnose, parse_program, step
 from fasteroids.lang.codes import LINT
@@ -253,8 +253,12 @@ def test_deep_loops_take_few_passes() -> None:
 
 # Laws.
 
+FEWER = settings(max_examples=max(settings().max_examples // 3, 30))
+"""Programs are slow to draw."""
 
-@given(programs())
+
+@FEWER
+@given(programs(depth=2))
 def test_any_program_has_warnings_that_can_be_shown(tree: Program) -> None:
     """Also about a tree that has no text: then there are no fixes."""
     some = warnings(tree, course=True)
@@ -262,7 +266,8 @@ def test_any_program_has_warnings_that_can_be_shown(tree: Program) -> None:
     rendered(some, "", "x")
 
 
-@given(program_texts())
+@FEWER
+@given(program_texts(depth=2))
 def test_warnings_are_by_place_and_their_fixes_leave_a_right_program(text: str) -> None:
     some = found(text, course=True)
     assert list(some) == sorted(some, key=lambda each: each.span)
@@ -276,7 +281,8 @@ def test_warnings_are_by_place_and_their_fixes_leave_a_right_program(text: str) 
     assert not {each.code for each in found(after, course=True) if each.fix} & {"FA206", "FA211"}
 
 
-@given(program_texts())
+@FEWER
+@given(program_texts(depth=2))
 def test_a_program_does_the_same_with_its_fixes_in(text: str) -> None:
     (one, its), (other, others) = (
         outcome(t) for t in (text, mended(text, found(text, course=True)))
@@ -298,3 +304,12 @@ def outcome(text: str) -> tuple[Machine, list[object]]:
         machine, action, printed = step(machine, seen)
         did += [each for each in (printed, repr(action)) if each not in (None, "None")]
     return machine, did
+
+
+@FEWER
+@given(program_texts(depth=2))
+def test_a_program_that_is_not_warned_of_null_never_stops_for_it(text: str) -> None:
+    if told(text, "FA205", "FA208"):
+        return
+    machine, _ = outcome(text)
+    assert not (isinstance(machine, Halted) and machine.reason and "null" in machine.reason)
