@@ -103,11 +103,6 @@ def test_a_dead_entity_keeps_its_last_state_and_is_not_null() -> None:
     entity a; entity x;
     foreach (asteroid, x) { a := x; }
     skip; print a == null; print getx a; skip; print a == null; print getx a; print a;"""
-    world = (
-        space(text)
-        .add(Asteroid(100, 100, 50, 0, 20))
-        .add(Asteroid(160, 100, 0, 0, 20, max_speed=0))
-    )
     world = evolve(space(text).add(Asteroid(100, 100, 50, 0, 20)), 0.5)
     gone = world.remove(2)
     assert [p for _, p in prints(gone, 1.0)] == ["false", "120.0", "asteroid 2"]

@@ -153,7 +153,6 @@ def test_what_may_not_be_written_stays(
     assert held("odd.ast") == ODD
 
 
-@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs named pipes")
 def test_what_is_no_plain_file_is_not_written(call: Call, folder: Path) -> None:
     os.mkfifo("pipe.ast")
     writer = Thread(target=Path("pipe.ast").write_text, args=[ODD])

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import errno
 import io
-import sys
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
@@ -154,7 +153,6 @@ def test_a_folder_in_the_way_stays(call: Call, folder: Path, force: list[str]) -
     assert (folder / "mine.ast").is_dir()
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="links need a right there")
 def test_a_link_to_nowhere_is_not_followed(call: Call, folder: Path) -> None:
     (folder / "mine.ast").symlink_to(folder / "elsewhere")
     assert call("new", "bot", "mine").exit_code == 2
@@ -190,7 +188,6 @@ def test_a_file_that_cannot_be_written_whole_is_not_left(
     assert contents(folder) == {}
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="a folder one is in cannot go there")
 @pytest.mark.parametrize("force", [[], ["--force"]])
 def test_a_folder_that_is_gone_is_a_sentence(call: Call, folder: Path, force: list[str]) -> None:
     folder.rmdir()

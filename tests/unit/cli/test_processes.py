@@ -146,7 +146,10 @@ def test_closed_standard_input() -> None:
 
 
 # A disk cannot be filled on purpose without rights; this device, which only some systems have, plays a full one.
-@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full here")
+@pytest.mark.skipif(
+    not Path("/dev/full").exists(),
+    reason="this system has no /dev/full, the one full disk to be had",
+)
 @pytest.mark.parametrize("option", [[], ["--events", "/dev/full"], ["--final", "/dev/full"]])
 def test_full_disk(spawn: Spawn, busy: str, option: list[str]) -> None:
     with Path("/dev/full").open("wb") as full:
