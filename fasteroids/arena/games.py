@@ -14,7 +14,8 @@ from attrs import frozen
 
 from fasteroids.actions import Program
 from fasteroids.entities import Asteroid, Ship
-from fasteroids.events import happenings
+from fasteroids.events import Happened, happenings
+from fasteroids.lang import Span
 from fasteroids.state import World, instructed
 from fasteroids.units import ModelError
 
@@ -32,7 +33,7 @@ class Ended:
 
     `outcome`: alone in its field it cleared it, died or timed out; one on one it won, lost, drew (both died at one
     event) or timed out. `time` of the end, s since the start. `fuel` counts the ticks at which its program ran out of
-    it, and `stopped` is why that stopped at an illegal operation, None if it did not.
+    it, and `stopped` is where and why that stopped at an illegal operation, None if it did not.
     """
 
     outcome: Outcome
@@ -63,7 +64,7 @@ def flown(world: World, programs: Sequence[Program]) -> World:
     """
     ships = [i for i, f in world.all_flights().items() if isinstance(f.entity, Ship)]
     if len(ships) != len(programs):
-        raise ModelError(f"{len(ships)} ships need as many programs; got {len(programs)}")
+        raise ModelError(f"each ship needs a program: {len(ships)} in all; got {len(programs)}")
     for ship, program in zip(ships, programs, strict=True):
         world = instructed(world, ship, program)
     return world
@@ -72,7 +73,8 @@ def flown(world: World, programs: Sequence[Program]) -> World:
 def play(world: World, *, limit: float = LIMIT) -> tuple[Ended, ...]:
     """The game that starts from this world, whose ships have their programs: how it ends for each, in order.
 
-    It lasts `limit` s at most. `ModelError` unless the world has one or two ships, and if events pile up without end.
+    It lasts `limit` s at most. A ship without an asteroid around has cleared its field at once. `ModelError` unless the
+    world has one or two ships, and if events pile up without end.
     """
     ships, start = crew(world), world.time
     fuel = dict.fromkeys(ships, 0)
@@ -84,11 +86,13 @@ def play(world: World, *, limit: float = LIMIT) -> tuple[Ended, ...]:
             for ship, outcome in zip(ships, outcomes, strict=True)
         )
 
+    if over := _decided(ships, world):
+        return ended(over, start)
     for happened, after in happenings(world, start + limit):
         if happened.effect == "fuel":
             fuel[happened.entities[0]] += 1
         elif happened.effect == "halt":
-            stopped[happened.entities[0]] = happened.reason
+            stopped[happened.entities[0]] = _why(happened)
         elif happened.died:
             outcomes = _decided(ships, after)
             if outcomes:
@@ -106,6 +110,12 @@ def _decided(ships: tuple[int, ...], world: World) -> Sequence[Outcome]:
     if all(alive):
         return ()
     return ["won" if a else "lost" for a in alive] if any(alive) else ("drawn", "drawn")
+
+
+def _why(happened: Happened) -> str:
+    """Where and why a program stopped."""
+    where = f"line {happened.span.line}: " if isinstance(happened.span, Span) else ""
+    return where + (happened.reason or "an illegal operation")
 
 
 def _asteroids(world: World) -> bool:
