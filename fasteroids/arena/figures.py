@@ -36,7 +36,7 @@ class Standing:
     """What a program did in its games.
 
     `won` counts the games in which it cleared its field or won, `lost` those in which it died first, `drawn` those in
-    which both ships died at one event. `death` is its mean time of death and `clearing` the median time of what it won,
+    which both ships died at one time. `death` is its mean time of death and `clearing` the median time of what it won,
     s; None without any. `fuel` counts the ticks out of fuel of all games, `stopped` the games in which its program
     stopped at an illegal operation.
     """

@@ -32,7 +32,7 @@ class Ended:
     """How a game ended for one of its ships.
 
     `outcome`: alone in its field it cleared it, died or timed out; one on one it won, lost, drew (both died at one
-    event) or timed out. `time` of the end, s since the start. `fuel` counts the ticks at which its program ran out of
+    time) or timed out. `time` of the end, s since the start. `fuel` counts the ticks at which its program ran out of
     it, and `stopped` is where and why that stopped at an illegal operation, None if it did not.
     """
 
@@ -73,31 +73,30 @@ def flown(world: World, programs: Sequence[Program]) -> World:
 def play(world: World, *, limit: float = LIMIT) -> tuple[Ended, ...]:
     """The game that starts from this world, whose ships have their programs: how it ends for each, in order.
 
-    It lasts `limit` s at most. A ship without an asteroid around has cleared its field at once. `ModelError` unless the
-    world has one or two ships, and if events pile up without end.
+    It lasts `limit` s at most. All that happens at the time of its end counts, so that no order of ids decides it. A ship
+    without an asteroid around has cleared its field at once. `ModelError` unless the world has one or two ships, and if
+    events pile up without end.
     """
     ships, start = crew(world), world.time
     fuel = dict.fromkeys(ships, 0)
     stopped: dict[int, str | None] = dict.fromkeys(ships)
-
-    def ended(outcomes: Sequence[Outcome], time: float) -> tuple[Ended, ...]:
-        return tuple(
-            Ended(outcome, time - start, fuel[ship], stopped[ship])
-            for ship, outcome in zip(ships, outcomes, strict=True)
-        )
-
-    if over := _decided(ships, world):
-        return ended(over, start)
+    last, end = world, start if _decided(ships, world) else None
     for happened, after in happenings(world, start + limit):
+        if end is not None and happened.time > end:
+            break
+        last = after
         if happened.effect == "fuel":
             fuel[happened.entities[0]] += 1
         elif happened.effect == "halt":
             stopped[happened.entities[0]] = _why(happened)
-        elif happened.died:
-            outcomes = _decided(ships, after)
-            if outcomes:
-                return ended(outcomes, happened.time)
-    return ended(["timed out"] * len(ships), start + limit)
+        elif happened.died and end is None and _decided(ships, after):
+            end = happened.time
+    outcomes = _decided(ships, last) or ["timed out"] * len(ships)
+    time = (start + limit if end is None else end) - start
+    return tuple(
+        Ended(outcome, time, fuel[ship], stopped[ship])
+        for ship, outcome in zip(ships, outcomes, strict=True)
+    )
 
 
 def _decided(ships: tuple[int, ...], world: World) -> Sequence[Outcome]:

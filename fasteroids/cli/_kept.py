@@ -84,7 +84,7 @@ class Kept:
                     line = f"\n{line}"  # after a torn one
                 file.write(f"{line}\n".encode())
         except OSError as error:
-            self._fail("written", error)
+            self._fail("write", error)
 
     def _place(self, bots: tuple[str, ...]) -> Path:
         """The file of a line-up."""
@@ -96,10 +96,7 @@ class Kept:
 
     def _fail(self, what: str, error: OSError) -> None:
         if self.working:
-            click.echo(
-                f"Warning: games are not kept, since this cannot be {what}: {reason(error)}",
-                err=True,
-            )
+            click.echo(f"Warning: games are not kept: cannot {what} {reason(error)}", err=True)
         self.working = False
 
 

@@ -75,7 +75,8 @@ def told(league: League) -> Iterator[str]:
 def _opening(league: League) -> str:
     seeds = f"{counted(len(league.seeds), 'seed')} ({in_short(league.seeds)})"
     if league.alone:
-        who = f"{counted(len(league.bots), 'bot')}, each alone on {seeds}"
+        each = "each " if len(league.bots) > 1 else ""
+        who = f"{counted(len(league.bots), 'bot')}, {each}alone on {seeds}"
     else:
         who = f"every two of {counted(len(league.bots), 'bot')}, both ways round on {seeds}"
     limit = f"at most {number(league.limit)} s; model {league.model}"

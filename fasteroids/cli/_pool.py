@@ -122,12 +122,11 @@ def _pool(stage: Stage, jobs: int) -> Iterator[ProcessPoolExecutor]:
     try:
         yield pool
     except BaseException:
-        pool.shutdown(wait=False, cancel_futures=True)
         for child in {*active_children()} - others:
-            child.terminate()
+            child.terminate()  # or it would play its game to the end
         raise
     finally:
-        pool.shutdown()
+        pool.shutdown(cancel_futures=True)
 
 
 @contextmanager

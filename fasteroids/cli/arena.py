@@ -106,7 +106,7 @@ def command(
     stage = Stage(scene, programs, model, limit)
     done = {} if fresh else kept.recalled(games)
     if done:
-        click.echo(f"{len(done):,} of {counted(len(games), 'game')} were kept", err=True)
+        click.echo(f"kept from before: {len(done):,} of {counted(len(games), 'game')}", err=True)
     if not _finished(games, stage, kept, done, cores() if jobs is None else jobs):
         click.echo(_parting(len(done), len(games), kept, fresh=fresh), err=True)
         return INTERRUPTED
