@@ -73,9 +73,9 @@ def flown(world: World, programs: Sequence[Program]) -> World:
 def play(world: World, *, limit: float = LIMIT) -> tuple[Ended, ...]:
     """The game that starts from this world, whose ships have their programs: how it ends for each, in order.
 
-    It lasts `limit` s at most. All that happens at the time of its end counts, so that no order of ids decides it. A ship
-    without an asteroid around has cleared its field at once. `ModelError` unless the world has one or two ships, and if
-    events pile up without end.
+    It lasts `limit` s at most. All that happens at the time of its end counts, so that no order of ids decides it.
+    A ship without an asteroid around has cleared its field at once. `ModelError` unless the world has one or two
+    ships, and if events pile up without end.
     """
     ships, start = crew(world), world.time
     fuel = dict.fromkeys(ships, 0)

@@ -20,7 +20,7 @@ def seeds_of(text: str) -> tuple[int, ...]:
     `ValueError` with a sentence if it is none, or if there are more than `MOST_SEEDS`.
     """
     found: set[int] = set()
-    for piece in re.split(r"[,\s]+", text.strip()):
+    for piece in re.split(r"\s*,\s*|\s+", text.strip()):
         match = _PIECE.fullmatch(piece)
         if match is None:
             raise ValueError(f"must be seeds such as 7, 0-299 or 1,4,9-12; got {text!r}")
