@@ -58,8 +58,8 @@ def test_alone_a_league_is_told_like_this() -> None:
         == """\
 my field.toml: 2 bots, each alone on 5 seeds (0-4), at most 60 s; model smooth
 
-                                             timed   mean  median  out of
-bot       games  cleared       (95 %)  died    out  death  clears    fuel
+                                              timed   mean  median  out of
+bot       games  cleared        (95 %)  died    out  death  clears    fuel
 a             5        3  60 % (23-88)     1      1  5.0 s  20.0 s   1,200
 my/b.ast      5        1   20 % (4-62)     4      0  5.5 s  20.0 s       0
 
