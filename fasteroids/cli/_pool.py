@@ -80,8 +80,7 @@ def played(games: Sequence[Game], stage: Stage, jobs: int) -> Generator[Result, 
         if not left:
             return
     raise Refusal(
-        f"processes that play were ended from outside {_MOST_BREAKS} times, perhaps for want of memory; "
-        "try fewer --jobs"
+        f"{_MOST_BREAKS} times a process ended before its game, perhaps for want of memory; try --jobs 1"
     )
 
 
@@ -122,11 +121,12 @@ def _pool(stage: Stage, jobs: int) -> Iterator[ProcessPoolExecutor]:
     try:
         yield pool
     except BaseException:
-        for child in {*active_children()} - others:
-            child.terminate()  # or it would play its game to the end
+        with _undisturbed():
+            for child in {*active_children()} - others:
+                child.terminate()  # or it would play its game to the end
+            pool.shutdown(cancel_futures=True)
         raise
-    finally:
-        pool.shutdown(cancel_futures=True)
+    pool.shutdown()
 
 
 @contextmanager

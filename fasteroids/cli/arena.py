@@ -100,7 +100,7 @@ def command(
     games = fixtures(bots, ships, seeds)
     kept = Kept(
         usual_folder() if keep is None else keep,
-        (scene.text, model, limit),
+        (scene.text, world.model, limit),
         {bot: program.code.source for bot, program in programs.items()},
     )
     stage = Stage(scene, programs, model, limit)

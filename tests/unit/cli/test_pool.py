@@ -74,7 +74,7 @@ class Deadly:
 
 def test_processes_that_always_die_are_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(_pool, "_MOST_BREAKS", 2)
-    with pytest.raises(Refusal, match=r"ended from outside 2 times.*try fewer --jobs"):
+    with pytest.raises(Refusal, match=r"2 times a process ended before its game, .*; try --jobs 1"):
         list(played(GAMES, stage(deadly=Deadly()), 2))
 
 
