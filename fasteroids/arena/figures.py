@@ -8,8 +8,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Hashable, Iterable, Mapping
-from fractions import Fraction
-from math import comb, sqrt
+from math import sqrt
 from statistics import NormalDist, fmean, median
 from typing import Final, TypeVar
 
@@ -37,7 +36,7 @@ class Standing:
     """What a program did in its games.
 
     `won` counts the games in which it cleared its field or won, `lost` those in which it died first, `drawn` those in
-    which both ships died at one event. `death` is its mean time of death and `clearing` the median time of what it won,
+    which both ships died at one time. `death` is its mean time of death and `clearing` the median time of what it won,
     s; None without any. `fuel` counts the ticks out of fuel of all games, `stopped` the games in which its program
     stopped at an illegal operation.
     """
@@ -73,7 +72,11 @@ class Paired:
 
 
 def wilson(won: int, games: int) -> Interval:
-    """The 95 % interval of a share: Wilson's, which also holds near 0 and 1 (JASA 22, 1927). Without games, all."""
+    """The 95 % interval of a share: Wilson's, which also holds near 0 and 1 (JASA 22, 1927). Without games, all.
+
+    Invariant: it contains the share, grows with `won`, and is the mirror image of that of the games not won
+    (tests/unit/arena/test_figures.py).
+    """
     if games == 0:
         return Interval(0.0, 1.0)
     share, z2 = won / games, _Z * _Z
@@ -86,10 +89,16 @@ def wilson(won: int, games: int) -> Interval:
 
 
 def mcnemar(first: int, second: int) -> float:
-    """The two-sided p-value of `first` to `second` among the games that only one of two won; exact (binomial)."""
+    """The two-sided p-value of `first` to `second` among the games that only one of two won; exact (binomial).
+
+    1 without such games. 0 where it is below the smallest double.
+    """
     games = first + second
-    tail = sum(comb(games, k) for k in range(min(first, second) + 1))
-    return float(min(Fraction(1), Fraction(2 * tail, 2**games)))
+    ways = tail = 1  # to win k of the games, and to win at most k
+    for k in range(min(first, second)):
+        ways = ways * (games - k) // (k + 1)
+        tail += ways
+    return min(1.0, 2 * tail / (1 << games))  # integers: rounded once
 
 
 def standing(games: Iterable[Ended]) -> Standing:

@@ -14,7 +14,8 @@ from attrs import frozen
 
 from fasteroids.actions import Program
 from fasteroids.entities import Asteroid, Ship
-from fasteroids.events import happenings
+from fasteroids.events import Happened, happenings
+from fasteroids.lang import Span
 from fasteroids.state import World, instructed
 from fasteroids.units import ModelError
 
@@ -31,8 +32,8 @@ class Ended:
     """How a game ended for one of its ships.
 
     `outcome`: alone in its field it cleared it, died or timed out; one on one it won, lost, drew (both died at one
-    event) or timed out. `time` of the end, s since the start. `fuel` counts the ticks at which its program ran out of
-    it, and `stopped` is why that stopped at an illegal operation, None if it did not.
+    time) or timed out. `time` of the end, s since the start. `fuel` counts the ticks at which its program ran out of
+    it, and `stopped` is where and why that stopped at an illegal operation, None if it did not.
     """
 
     outcome: Outcome
@@ -63,7 +64,7 @@ def flown(world: World, programs: Sequence[Program]) -> World:
     """
     ships = [i for i, f in world.all_flights().items() if isinstance(f.entity, Ship)]
     if len(ships) != len(programs):
-        raise ModelError(f"{len(ships)} ships need as many programs; got {len(programs)}")
+        raise ModelError(f"each ship needs a program: {len(ships)} in all; got {len(programs)}")
     for ship, program in zip(ships, programs, strict=True):
         world = instructed(world, ship, program)
     return world
@@ -72,28 +73,30 @@ def flown(world: World, programs: Sequence[Program]) -> World:
 def play(world: World, *, limit: float = LIMIT) -> tuple[Ended, ...]:
     """The game that starts from this world, whose ships have their programs: how it ends for each, in order.
 
-    It lasts `limit` s at most. `ModelError` unless the world has one or two ships, and if events pile up without end.
+    It lasts `limit` s at most. All that happens at the time of its end counts, so that no order of ids decides it.
+    A ship without an asteroid around has cleared its field at once. `ModelError` unless the world has one or two
+    ships, and if events pile up without end.
     """
     ships, start = crew(world), world.time
     fuel = dict.fromkeys(ships, 0)
     stopped: dict[int, str | None] = dict.fromkeys(ships)
-
-    def ended(outcomes: Sequence[Outcome], time: float) -> tuple[Ended, ...]:
-        return tuple(
-            Ended(outcome, time - start, fuel[ship], stopped[ship])
-            for ship, outcome in zip(ships, outcomes, strict=True)
-        )
-
+    last, end = world, start if _decided(ships, world) else None
     for happened, after in happenings(world, start + limit):
+        if end is not None and happened.time > end:
+            break
+        last = after
         if happened.effect == "fuel":
             fuel[happened.entities[0]] += 1
         elif happened.effect == "halt":
-            stopped[happened.entities[0]] = happened.reason
-        elif happened.died:
-            outcomes = _decided(ships, after)
-            if outcomes:
-                return ended(outcomes, happened.time)
-    return ended(["timed out"] * len(ships), start + limit)
+            stopped[happened.entities[0]] = _why(happened)
+        elif happened.died and end is None and _decided(ships, after):
+            end = happened.time
+    outcomes = _decided(ships, last) or ["timed out"] * len(ships)
+    time = (start + limit if end is None else end) - start
+    return tuple(
+        Ended(outcome, time, fuel[ship], stopped[ship])
+        for ship, outcome in zip(ships, outcomes, strict=True)
+    )
 
 
 def _decided(ships: tuple[int, ...], world: World) -> Sequence[Outcome]:
@@ -106,6 +109,12 @@ def _decided(ships: tuple[int, ...], world: World) -> Sequence[Outcome]:
     if all(alive):
         return ()
     return ["won" if a else "lost" for a in alive] if any(alive) else ("drawn", "drawn")
+
+
+def _why(happened: Happened) -> str:
+    """Where and why a program stopped."""
+    where = f"line {happened.span.line}: " if isinstance(happened.span, Span) else ""
+    return where + (happened.reason or "an illegal operation")
 
 
 def _asteroids(world: World) -> bool:

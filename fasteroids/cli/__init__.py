@@ -23,6 +23,7 @@ COMMANDS: Final = {
     "check": "Find every fault of ship programs.",
     "fmt": "Bring ship programs into their one normal form.",
     "explain": "Say what a scene needs of the model, or what a code means.",
+    "arena": "Compare ship programs over many seeds of a field.",
     "new": "Write a program or a scene to start from.",
 }
 """The commands, with what the help says of them."""

@@ -1,28 +1,24 @@
-"""Scenes in, lines and worlds out."""
+"""Bytes in, lines and worlds out."""
 
 from __future__ import annotations
 
 import os
 import stat
 import sys
-from collections.abc import Callable
 from contextlib import suppress
-from difflib import get_close_matches
 from pathlib import Path
 from typing import IO
 
 import click
 
 from fasteroids.cli._guard import Refusal, mute, reason
-from fasteroids.scene import SceneError, load_scene
-from fasteroids.state import World
-from fasteroids.units import ModelError
 
 __all__ = [
     "STDIO",
     "Lines",
     "check_outputs",
-    "open_scene",
+    "read_limited",
+    "read_named",
     "read_program",
     "shipped",
     "shipped_programs",
@@ -39,7 +35,7 @@ _MOST_BYTES_OF_PROGRAM = 1024 * 1024
 _BATCH = 64 * 1024  # characters that lines to a file wait for
 
 
-# Scenes.
+# What comes with the package.
 
 
 def shipped() -> dict[str, str]:
@@ -65,42 +61,11 @@ def _shipped(folder: str, suffix: str) -> dict[str, str]:
     }
 
 
-def open_scene(scene: str, *, seed: int | None, model: str | None) -> tuple[str, World]:
-    """What to call a scene, and its world: a path, '-' for standard input, or a shipped one. A path wins.
-
-    `seed` and `model` replace those of the file. `Refusal` says what is wrong with it.
-    """
-    title, text = _text_of(scene)
-    folder = Path() if scene == STDIO or not Path(scene).exists() else Path(scene).parent
-    try:
-        return title, load_scene(text, seed=seed, model=model, read=_reader(folder))
-    except SceneError as error:
-        count = len(error.problems)
-        head = f"{title} has {count} problems:\n" if count > 1 else f"{title}: "
-        raise Refusal(head + str(error)) from None
+# Inputs.
 
 
-def _text_of(scene: str) -> tuple[str, str]:
-    if scene == STDIO:
-        if sys.stdin is None:
-            raise Refusal("standard input is closed")
-        return "standard input", _decoded(
-            "standard input", _read(sys.stdin.buffer, "standard input", "scene")
-        )
-    path = Path(scene)
-    if not path.exists() and path.name == scene and (text := shipped().get(scene)) is not None:
-        return scene, text
-    try:
-        with path.open("rb") as file:
-            title = path.name if path.name.isprintable() else repr(path.name)
-            return title, _decoded(title, _read(file, title, "scene"))
-    except FileNotFoundError:
-        raise Refusal(_missing(scene)) from None
-    except OSError as error:
-        raise Refusal(f"cannot read {reason(error)}") from None
-
-
-def _read(file: IO[bytes], title: str, what: str) -> bytes:
+def read_limited(file: IO[bytes], title: str, what: str) -> bytes:
+    """All the bytes of `what`, a scene or a program; a `Refusal` if there are more than it may have."""
     most = _MOST_BYTES if what == "scene" else _MOST_BYTES_OF_PROGRAM
     data = file.read(most + 1)
     if len(data) > most:
@@ -108,42 +73,14 @@ def _read(file: IO[bytes], title: str, what: str) -> bytes:
     return data
 
 
-def _decoded(title: str, data: bytes) -> str:
-    try:
-        return data.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = error.object.count(b"\n", 0, error.start) + 1
-        byte = error.object[error.start]
-        raise Refusal(
-            f"{title}: a scene is text in UTF-8; the byte {byte:#04x} on line {line} is not"
-        ) from None
+def read_named(name: str, folder: Path = Path()) -> bytes:
+    """The bytes of a program by its name: of a file in a folder, else of one that comes with the package.
 
-
-def _missing(scene: str) -> str:
-    names = list(shipped())
-    near = get_close_matches(scene, names, n=1)
-    hint = f" (did you mean {near[0]!r}?)" if near else ""
-    known = f", or one of these: {', '.join(names)}" if names else ""
-    return f"there is no scene {scene!r}{hint}; give a file, '-' for standard input{known}"
-
-
-# Programs.
-
-
-def _reader(folder: Path) -> Callable[[str], bytes]:
-    """What reads the programs that a scene in this folder names: files, else those that come with the package."""
-
-    def read(name: str) -> bytes:
-        if not name:
-            raise ModelError("must be the name of a file")
-        if not (folder / name).exists() and (text := shipped_programs().get(name)) is not None:
-            return text.encode()
-        try:
-            return read_program(os.path.join(".", folder, name))  # noqa: PTH118 so that "-" is a file
-        except Refusal as refusal:
-            raise ModelError(str(refusal.message)) from None
-
-    return read
+    `Refusal` says why they cannot be had.
+    """
+    if not (folder / name).exists() and (text := shipped_programs().get(name)) is not None:
+        return text.encode()
+    return read_program(os.path.join(".", folder, name))  # noqa: PTH118 so that "-" is a file
 
 
 def read_program(place: str) -> bytes:
@@ -151,12 +88,12 @@ def read_program(place: str) -> bytes:
     if place == STDIO:
         if sys.stdin is None:
             raise Refusal("standard input is closed")
-        return _read(sys.stdin.buffer, "standard input", "program")
+        return read_limited(sys.stdin.buffer, "standard input", "program")
     if not place:
         raise Refusal("cannot read '': there is no such file")
     try:
         with Path(place).open("rb") as file:
-            return _read(file, repr(place), "program")
+            return read_limited(file, repr(place), "program")
     except OSError as error:
         raise Refusal(f"cannot read {reason(error)}") from None
     except ValueError:  # a null character in a name

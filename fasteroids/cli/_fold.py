@@ -13,7 +13,7 @@ from typing import Literal
 from fasteroids.cli._guard import Refusal
 from fasteroids.cli._interrupt import Interruptible
 from fasteroids.cli._narrate import counted, number
-from fasteroids.cli._progress import Progress
+from fasteroids.cli._progress import RunProgress
 from fasteroids.events import Happened, happenings
 from fasteroids.state import World
 from fasteroids.units import ModelError
@@ -53,7 +53,7 @@ class Fold:
                 f"every {every!r} s is too often: that late as {self.until!r} s, times so close are not told apart"
             )
         self._unfold = Interruptible(_sliced(world, self.until, max_events, every))
-        self._progress = Progress(self.start, self.until) if progress else None
+        self._progress = RunProgress(self.start, self.until) if progress else None
 
     def __enter__(self) -> Fold:
         self._unfold.__enter__()

@@ -11,7 +11,18 @@ import click
 from fasteroids import models
 from fasteroids.units import ModelError
 
-__all__ = ["MAX_EVENTS", "SPAN", "Seconds", "max_events", "model", "scene", "seed", "span"]
+__all__ = [
+    "MAX_EVENTS",
+    "SPAN",
+    "BotNames",
+    "Seconds",
+    "bots",
+    "max_events",
+    "model",
+    "scene",
+    "seed",
+    "span",
+]
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -67,6 +78,25 @@ class ModelName(click.ParamType[str]):
         ]
 
 
+class BotNames(click.ParamType[tuple[str, ...]]):
+    """Names of programs with commas between them."""
+
+    name = "A,B,..."
+
+    def convert(
+        self, value: Any, param: click.Parameter | None, ctx: click.Context | None
+    ) -> tuple[str, ...]:
+        """The names, without the blanks around them; a usage error if one is empty."""
+        if isinstance(value, tuple):  # a default
+            return value
+        names = tuple(name.strip() for name in value.split(","))
+        if not all(names):
+            self.fail(
+                f"must be names of programs with commas between them; got {value!r}", param, ctx
+            )
+        return names
+
+
 def scene(command: F) -> F:
     """SCENE: a file, standard input, or a shipped scene."""
     return click.argument("scene", type=click.Path(allow_dash=True))(command)
@@ -101,3 +131,12 @@ def seed(command: F) -> F:
     return click.option(
         "--seed", type=int, metavar="N", help="Use this seed instead of the scene's."
     )(command)
+
+
+def bots(command: F) -> F:
+    """--bots."""
+    return click.option(
+        "--bots", type=BotNames(), default=(), metavar="A[,B...]",
+        help="Programs for the ships, in the order of their ids, instead of the scene's: files, or names of those "
+        "that come with the package.",
+    )(command)  # fmt: skip

@@ -1,4 +1,4 @@
-"""Progress on standard error, for long runs on a terminal only."""
+"""Progress on standard error, for long work on a terminal only."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from rich.progress import Progress as Bar
     from rich.progress import TaskID
 
-__all__ = ["Progress"]
+__all__ = ["GamesProgress", "Progress", "RunProgress"]
 
 _PATIENCE = 1.0  # s before anything is shown
 _PERIOD = 0.2  # s between two looks
@@ -18,32 +18,32 @@ _STRIDE = 64  # events between two looks at the clock
 
 
 class Progress:
-    """How far a run is, and how fast. Shows nothing in its first second, nor unless stderr is a terminal."""
+    """A bar with a few words. Shows nothing in its first second, nor unless stderr is a terminal."""
 
-    def __init__(self, start: float, until: float) -> None:
-        self._start, self._span = start, until - start
-        self._wanted = sys.stderr is not None and sys.stderr.isatty()
+    def __init__(self) -> None:
+        self.wanted = sys.stderr is not None and sys.stderr.isatty()
         self._begun = self._last = monotonic()
-        self._before = 0
         self._bar: Bar | None = None
         self._task: TaskID | None = None
 
-    def show(self, time: float, events: int) -> None:
-        """The run is at `time` s after so many events."""
-        if not self._wanted or events % _STRIDE:
-            return
+    def due(self) -> tuple[float, float] | None:
+        """The seconds since it began and since it was last due, if it is to be shown now; else None."""
+        if not self.wanted:
+            return None
         now = monotonic()
-        if now - self._begun < _PATIENCE or now - self._last < _PERIOD:
-            return
-        rate = (events - self._before) / (now - self._last)
-        self._last, self._before = now, events
+        since, before = now - self._begun, now - self._last
+        if since < _PATIENCE or before < _PERIOD:
+            return None
+        self._last = now
+        return since, before
+
+    def update(self, share: float, said: str) -> None:
+        """Show that a share of the work, from 0 to 1, is done."""
         if self._bar is None:
             self._open()
         assert self._bar is not None
         assert self._task is not None
-        said = f"{time:.6g} s, {events:,} events, {rate:,.0f} events/s"
-        done = (time - self._start) / self._span if self._span > 0.0 else 1.0
-        self._bar.update(self._task, completed=done, description=said)
+        self._bar.update(self._task, completed=share, description=said)
 
     def _open(self) -> None:
         from rich.console import Console
@@ -62,7 +62,42 @@ class Progress:
 
     def close(self) -> None:
         """Take it off the terminal."""
-        self._wanted = False
+        self.wanted = False
         if self._bar is not None:
             self._bar.stop()
             self._bar = None
+
+
+class RunProgress(Progress):
+    """How far a run is, and how fast."""
+
+    def __init__(self, start: float, until: float) -> None:
+        super().__init__()
+        self._start, self._span = start, until - start
+        self._before = 0
+
+    def show(self, time: float, events: int) -> None:
+        """The run is at `time` s after so many events."""
+        if not self.wanted or events % _STRIDE or (due := self.due()) is None:
+            return
+        rate = (events - self._before) / due[1]
+        self._before = events
+        done = (time - self._start) / self._span if self._span > 0.0 else 1.0
+        self.update(done, f"{time:.6g} s, {events:,} events, {rate:,.0f} events/s")
+
+
+class GamesProgress(Progress):
+    """How many games are done, and how long the others will take. `done` counts those that were done before."""
+
+    def __init__(self, done: int, games: int) -> None:
+        super().__init__()
+        self._before, self._games = done, games
+
+    def show(self, done: int) -> None:
+        """So many games are done."""
+        if (due := self.due()) is None or done == self._before:
+            return
+        left = round(due[0] / (done - self._before) * (self._games - done))
+        hours, minutes = divmod(left // 60, 60)
+        clock = f"{hours}:{minutes:02}:{left % 60:02}" if hours else f"{minutes}:{left % 60:02}"
+        self.update(done / self._games, f"{done:,} of {self._games:,} games, {clock} left")

@@ -11,10 +11,12 @@ from attrs import asdict, evolve
 from fasteroids.audit import Audit, Auditor, Margin
 from fasteroids.cli import _options as options
 from fasteroids.cli import _records as records
-from fasteroids.cli._files import STDIO, Lines, open_scene
+from fasteroids.cli._columns import aligned
+from fasteroids.cli._files import STDIO, Lines
 from fasteroids.cli._fold import Fold
 from fasteroids.cli._guard import DONE, FINDINGS, INTERRUPTED
 from fasteroids.cli._narrate import census, counted, label, listed, number
+from fasteroids.cli._scenes import open_scene
 from fasteroids.state import World
 
 __all__ = ["command"]
@@ -26,6 +28,7 @@ __all__ = ["command"]
 @options.max_events
 @options.model
 @options.seed
+@options.bots
 @click.option("--json", "as_json", is_flag=True, help="Print the findings as JSON.")
 def command(
     scene: str,
@@ -33,6 +36,7 @@ def command(
     max_events: int,
     model: str | None,
     seed: int | None,
+    bots: tuple[str, ...],
     as_json: bool,
 ) -> int:
     """Run SCENE and measure how well the laws were kept: for each the worst margin seen.
@@ -40,7 +44,7 @@ def command(
     Overlaps are looked for at every event and between events. The exit code is 1 if a margin was exceeded.
     Events per second are those of the engine alone. SCENE is as for `fasteroids run`.
     """
-    title, world = open_scene(scene, seed=seed, model=model)
+    title, world = open_scene(scene, seed=seed, model=model, bots=bots)
     names = {i: label(f.entity) for i, f in world.all_flights().items()}
     auditor = Auditor(world)
     with Fold(world, world.time + span, max_events=max_events, progress=True) as fold:
@@ -81,7 +85,7 @@ def _told(title: str, world: World, fold: Fold, found: Audit, names: dict[int, s
     return [
         f"{title}: {census(world)}, from {number(fold.start)} s to {number(found.time)} s; "
         f"seed {world.seed}, model {world.model}",
-        *_table(rows),
+        *aligned(rows),
         f"events         {kinds}{rate}",
         f"changes        {changes}",
         f"contact times  {found.asked:,}, of them exact because the filter was undecided: "
@@ -104,15 +108,6 @@ def _row(margin: Margin, names: dict[int, str]) -> tuple[str, ...]:
         listed(names.get(i, f"#{i}") for i in margin.entities) if margin.entities else "",
         "" if margin.ok else "EXCEEDED",
     )
-
-
-def _table(rows: list[tuple[str, ...]]) -> list[str]:
-    """Rows with their columns aligned."""
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    return [
-        "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
-        for row in rows
-    ]
 
 
 def _record(title: str, fold: Fold, found: Audit) -> dict[str, Any]:

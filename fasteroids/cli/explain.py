@@ -13,9 +13,10 @@ from fasteroids import models
 from fasteroids.cli import _codes as codes
 from fasteroids.cli import _options as options
 from fasteroids.cli import _records as records
-from fasteroids.cli._files import STDIO, Lines, open_scene
+from fasteroids.cli._files import STDIO, Lines
 from fasteroids.cli._guard import DONE
 from fasteroids.cli._narrate import census, counted, label, listed, number
+from fasteroids.cli._scenes import open_scene
 from fasteroids.engine import GRID_FROM, needs
 from fasteroids.entities import Bullet, Entity, Ship
 from fasteroids.grid import fitting
@@ -59,20 +60,23 @@ class Advice:
 @options.scene
 @options.model
 @options.seed
+@options.bots
 @click.option("--json", "as_json", is_flag=True, help="Print it as JSON.")
-def command(scene: str, model: str | None, seed: int | None, as_json: bool) -> int:
+def command(
+    scene: str, model: str | None, seed: int | None, bots: tuple[str, ...], as_json: bool
+) -> int:
     """Say which parts of the model SCENE needs, and why; or what a code such as FA012 means.
 
     A part that is left out costs nothing and changes nothing. SCENE is as for `fasteroids run`. Codes are FA and
     three digits, and stand before what `fasteroids check` finds in a program.
     """
     if codes.is_code(scene):
-        if model is not None or seed is not None:
-            raise click.UsageError("--model and --seed are for scenes, not for codes")
+        if model is not None or seed is not None or bots:
+            raise click.UsageError("--model, --seed and --bots are for scenes, not for codes")
         with Lines(STDIO) as lines:
             lines.write(codes.told(scene, as_json=as_json))
         return DONE
-    title, world = open_scene(scene, seed=seed, model=model)
+    title, world = open_scene(scene, seed=seed, model=model, bots=bots)
     parts, level = plan(world), advice(world)
     with Lines(STDIO) as lines:
         if as_json:

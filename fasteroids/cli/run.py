@@ -11,10 +11,11 @@ import click
 
 from fasteroids.cli import _options as options
 from fasteroids.cli import _records as records
-from fasteroids.cli._files import STDIO, Lines, check_outputs, open_scene, write_whole
+from fasteroids.cli._files import STDIO, Lines, check_outputs, write_whole
 from fasteroids.cli._fold import Fold
 from fasteroids.cli._guard import DONE, INTERRUPTED
 from fasteroids.cli._narrate import Narrator, census, counted, number
+from fasteroids.cli._scenes import open_scene
 from fasteroids.events import Happened
 from fasteroids.state import World
 
@@ -27,6 +28,7 @@ __all__ = ["command"]
 @options.max_events
 @options.model
 @options.seed
+@options.bots
 @click.option(
     "--events", metavar="FILE",
     help="Write the events as JSON Lines, one an event; with '-' instead of the narration.",
@@ -52,6 +54,7 @@ def command(
     max_events: int,
     model: str | None,
     seed: int | None,
+    bots: tuple[str, ...],
     events: str | None,
     final: str | None,
     states: str | None,
@@ -70,7 +73,7 @@ def command(
         raise click.UsageError("--states and --every need each other")
     outputs = {"--events": events, "--final": final, "--states": states}
     check_outputs(scene, {**outputs, "--json": STDIO if as_json else None})
-    title, world = open_scene(scene, seed=seed, model=model)
+    title, world = open_scene(scene, seed=seed, model=model, bots=bots)
     narrated = not quiet and not as_json and STDIO not in outputs.values()
     opening = _opening(title, world, span)
     if not (narrated or quiet or as_json):

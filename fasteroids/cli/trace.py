@@ -12,10 +12,11 @@ from attrs import evolve
 from fasteroids.actions import Action, Turn
 from fasteroids.cli import _options as options
 from fasteroids.cli import _records as records
-from fasteroids.cli._files import STDIO, Lines, open_scene
+from fasteroids.cli._files import STDIO, Lines
 from fasteroids.cli._fold import Fold
 from fasteroids.cli._guard import DONE, INTERRUPTED, Refusal
 from fasteroids.cli._narrate import counted, label, number
+from fasteroids.cli._scenes import open_scene
 from fasteroids.entities import Ship, id_of
 from fasteroids.events import Happened
 from fasteroids.lang import Halted, Machine, Running
@@ -54,6 +55,7 @@ _WIDEST: Final = 60  # characters of source shown of one step
 @options.max_events
 @options.model
 @options.seed
+@options.bots
 @click.option("--json", "as_json", is_flag=True, help="JSON Lines, one a step.")
 def command(
     scene: str,
@@ -63,6 +65,7 @@ def command(
     max_events: int,
     model: str | None,
     seed: int | None,
+    bots: tuple[str, ...],
     as_json: bool,
 ) -> int:
     """Tell each small step of a ship's program in SCENE: its place and text, what it came to, what it changed.
@@ -70,7 +73,7 @@ def command(
     A step is a node of an expression or a statement that has its value; a tick may take as many as the fuel of the
     world allows.
     """
-    _, world = open_scene(scene, seed=seed, model=model)
+    _, world = open_scene(scene, seed=seed, model=model, bots=bots)
     pilot = _pilot(world, ship)
     start = world.time if start is None else start
     end = start + _SPAN if end is None else end

@@ -61,6 +61,14 @@ speed = [100, 900]
 """
 
 
+@pytest.fixture(autouse=True)
+def cache(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A cache of its own for each test, also for the processes it starts: none touches that of the user."""
+    folder = tmp_path_factory.mktemp("cache")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(folder))
+    return folder
+
+
 @pytest.fixture
 def scene(tmp_path: Path) -> str:
     """A scene in which something of everything happens in 10 s."""

@@ -56,4 +56,4 @@ def test_anything_that_is_no_code_is_a_scene(call: Call, text: str) -> None:
 def test_what_is_for_scenes_is_refused_for_codes(call: Call, more: list[str]) -> None:
     shown = call("explain", "FA101", *more)
     assert shown.exit_code == 2
-    assert "--model and --seed are for scenes" in shown.stderr
+    assert "--model, --seed and --bots are for scenes" in shown.stderr

@@ -32,7 +32,7 @@ def test_help_names_every_command(call: Call, flag: str) -> None:
 def test_every_command_has_help(call: Call, name: str) -> None:
     shown = call(name, "--help")
     assert shown.exit_code == 0
-    assert {"check": "FILE...", "fmt": "FILE...", "new": "bot|scene NAME"}.get(
+    assert {"check": "FILE...", "fmt": "FILE...", "new": "bot|scene NAME", "arena": "FIELD"}.get(
         name, "SCENE"
     ) in shown.stdout
 

@@ -1,0 +1,400 @@
+"""`fasteroids arena`: the table, the comparison, the seeds, JSON, and what is refused."""
+
+from __future__ import annotations
+
+import json
+import re
+import shlex
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import Result
+
+from fasteroids.arena import Ended, Game, Played
+from fasteroids.cli._league import League, record, told
+from fasteroids.cli._pool import played as original
+
+Call = Callable[..., Result]
+
+STOPPING = "entity e;\nfire;\nprint getx e;\n"
+QUICK = ["--seeds", "0-5", "--jobs", "1"]
+
+
+@pytest.fixture
+def arena(call: Call, tmp_path: Path) -> Call:
+    """Call the command in this process, its games kept in a folder of the test."""
+    return lambda *args, **settings: call(
+        "arena", *args, "--keep", str(tmp_path / "kept"), **settings
+    )
+
+
+def written(path: Path, text: str) -> str:
+    path.write_text(text, encoding="utf-8")
+    return str(path)
+
+
+# For people.
+
+
+def league(played: Played, bots: tuple[str, ...], field: str = "field.toml") -> League:
+    seeds = tuple(sorted({game.seed for game in played}))
+    return League(Path(field).name, field, None, "smooth", 60.0, seeds, bots, played)
+
+
+def test_alone_a_league_is_told_like_this() -> None:
+    cleared, died, late = Ended("cleared", 20.0), Ended("died", 5.0), Ended("timed out", 60.0, 1200)
+    stopped = Ended("died", 6.0, 0, "line 3: getx null: e is null")
+    a = [cleared, died, cleared, cleared, late]
+    b = [died, died, stopped, cleared, stopped]
+    played = {
+        Game((bot,), seed): (ended,)
+        for bot, ends in (("my/b.ast", b), ("a", a))
+        for seed, ended in enumerate(ends)
+    }
+    assert (
+        "\n".join(told(league(played, ("my/b.ast", "a"), "my field.toml")))
+        == """\
+my field.toml: 2 bots, each alone on 5 seeds (0-4), at most 60 s; model smooth
+
+                                              timed   mean  median  out of
+bot       games  cleared        (95 %)  died    out  death  clears    fuel
+a             5        3  60 % (23-88)     1      1  5.0 s  20.0 s   1,200
+my/b.ast      5        1   20 % (4-62)     4      0  5.5 s  20.0 s       0
+
+On the same seeds, cleared by
+first  second    only first  only second  both  neither    p
+a      my/b.ast           2            0     1        2  0.5
+
+Stopped at an illegal operation
+  my/b.ast: line 3: getx null: e is null; seeds 2 4
+
+Seeds
+  a
+    cleared:   0 2-3
+    died:      1
+    timed out: 4
+  my/b.ast
+    cleared:   3
+    died:      0-2 4
+
+To see one: fasteroids run 'my field.toml' --seed 1 --bots a --for 60"""
+    )
+
+
+def test_one_against_the_other_a_league_is_told_like_this() -> None:
+    won, lost, drawn = Ended("won", 4.0), Ended("lost", 4.0), Ended("drawn", 9.0)
+    late, stopped = Ended("timed out", 60.0), Ended("timed out", 60.0, 2, "line 1: turn by nan")
+    played = {
+        Game(("a", "b"), 0): (won, lost), Game(("b", "a"), 0): (won, lost),
+        Game(("a", "b"), 1): (won, lost), Game(("b", "a"), 1): (lost, won),
+        Game(("a", "b"), 4): (drawn, drawn), Game(("b", "a"), 4): (late, stopped),
+    }  # fmt: skip
+    assert (
+        "\n".join(told(league(played, ("a", "b"))))
+        == """\
+field.toml: every two of 2 bots, both ways round on 3 seeds (0-1 4), at most 60 s; model smooth
+
+                                            timed   mean  median  out of
+bot  games  won        (95 %)  lost  drawn    out  death    wins    fuel
+a        6    3  50 % (19-81)     1      1      1  6.5 s   4.0 s       2
+b        6    1   17 % (3-56)     3      1      1  5.2 s   4.0 s       0
+
+One against the other
+first  second  first won  second won  drawn  timed out     p
+a      b               3           1      1          1  0.62
+
+Stopped at an illegal operation
+  a in b against a: line 1: turn by nan; seed 4
+
+Seeds, as the first of the two fared
+  a against b
+    won:       0-1
+    drawn:     4
+  b against a
+    won:       0
+    lost:      1
+    timed out: 4
+
+To see one: fasteroids run field.toml --seed 4 --bots a,b --for 60"""
+    )
+
+
+@pytest.mark.parametrize("columns", [40, 80, 300])
+def test_long_lists_of_seeds_are_wrapped(columns: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", str(columns))
+    played = {Game(("a",), seed): (Ended("died", 1.0),) for seed in range(0, 400, 2)}
+    lines = list(told(league(played, ("a",))))
+    (first,) = [i for i, line in enumerate(lines) if line.startswith("    died:")]
+    rows = lines[first : lines.index("", first)]
+    assert len(rows) > 5
+    assert max(map(len, rows)) <= min(columns, 100)
+    assert all(row.startswith(" " * 15) for row in rows[1:])
+    assert " ".join(" ".join(rows).split()[1:]) == " ".join(map(str, range(0, 400, 2)))
+
+
+def test_names_obey_no_terminal() -> None:
+    played = {Game(("a\x1b[2J.ast",), 0): (Ended("died", 1.0),)}
+    assert "\x1b" not in "\n".join(told(league(played, ("a\x1b[2J.ast",)))).rpartition("\n")[0]
+
+
+# The command.
+
+
+def test_a_table_on_standard_output_alone(arena: Call) -> None:
+    shown = arena("field-2013", "--bots", "spinner,turret", *QUICK)
+    assert (shown.exit_code, shown.stderr) == (0, "")
+    lines = shown.stdout.splitlines()
+    assert (
+        lines[0] == "field-2013: 2 bots, each alone on 6 seeds (0-5), at most 120 s; model smooth"
+    )
+    assert [line.split()[:3] for line in lines[4:6]] == [
+        ["turret", "6", "6"],
+        ["spinner", "6", "0"],
+    ]
+    assert all(line == line.rstrip() and len(line) <= 80 for line in lines)
+    assert shown.stdout.endswith("\n")
+
+
+def test_json_has_everything(arena: Call) -> None:
+    shown = arena("field-2013", "--bots", "turret,spinner", *QUICK, "--for", "30", "--json")
+    assert shown.stdout.count("\n") == 1
+    found = json.loads(shown.stdout)
+    assert {key: found[key] for key in ("field", "model", "limit", "seeds")} == {
+        "field": "field-2013", "model": "smooth", "limit": 30.0, "seeds": "0-5",
+    }  # fmt: skip
+    turret, spinner = found["bots"]
+    assert (turret["bot"], turret["games"], spinner["bot"]) == ("turret", 6, "spinner")
+    assert turret["won"] + turret["lost"] + turret["timed_out"] == 6
+    assert turret["low"] < turret["share"] <= turret["high"]
+    (pair,) = found["pairs"]
+    assert (pair["first"], pair["second"]) == ("turret", "spinner")
+    assert pair["only_first"] + pair["only_second"] + pair["both"] + pair["neither"] == 6
+    assert [(game["bots"], game["seed"]) for game in found["games"][:3]] == [
+        (["turret"], 0), (["spinner"], 0), (["turret"], 1),
+    ]  # fmt: skip
+    assert len(found["games"]) == 12
+    assert {*found["games"][0]["ended"][0]} == {"outcome", "time", "fuel", "stopped"}
+
+
+def test_json_of_one_against_the_other(arena: Call) -> None:
+    shown = arena(
+        "one-on-one", "--bots", "turret,spinner", "--seeds", "0-2", "--jobs", "1", "--json"
+    )
+    found = json.loads(shown.stdout)
+    (pair,) = found["pairs"]
+    assert sum(pair[key] for key in ("only_first", "only_second", "drawn", "timed_out")) == 6
+    assert [game["bots"] for game in found["games"][:2]] == [
+        ["turret", "spinner"],
+        ["spinner", "turret"],
+    ]
+    for game in found["games"]:
+        west, east = (each["outcome"] for each in game["ended"])
+        assert {west, east} in ({"won", "lost"}, {"drawn"}, {"timed out"})
+
+
+@pytest.mark.parametrize(("field", "seeds"), [("field-2013", "0-4"), ("one-on-one", "0-1")])
+def test_any_number_of_jobs_gives_the_same_bytes(
+    call: Call, tmp_path: Path, field: str, seeds: str
+) -> None:
+    asked = ["arena", field, "--bots", "turret,spinner,opponent-2013", "--seeds", seeds, "--json"]
+    one = call(*asked, "--jobs", "1", "--keep", str(tmp_path / "one"))
+    three = call(*asked, "--jobs", "3", "--keep", str(tmp_path / "three"))
+    assert (one.exit_code, three.exit_code) == (0, 0)
+    assert one.stdout_bytes == three.stdout_bytes
+    again = call(*asked, "--jobs", "3", "--keep", str(tmp_path / "one"))  # all of it kept
+    assert again.stdout_bytes == one.stdout_bytes
+
+
+def test_the_order_of_the_bots_changes_no_game(arena: Call) -> None:
+    def games(bots: str) -> set[str]:
+        found = json.loads(arena("field-2013", "--bots", bots, *QUICK, "--json").stdout)
+        return {json.dumps(game) for game in found["games"]}
+
+    assert games("turret,spinner") == games("spinner,turret")
+
+
+def test_the_command_it_tells_shows_the_game(arena: Call, call: Call) -> None:
+    shown = arena("field-2013", "--bots", "spinner", "--model", "robust", *QUICK)
+    told = shown.stdout.splitlines()[-1].removeprefix("To see one: ")
+    command = shlex.split(told)
+    assert command[:2] == ["fasteroids", "run"]
+    run = call(*command[1:], "--events", "-")
+    died = [
+        event for event in map(json.loads, run.stdout.splitlines()) if 1 in event.get("died", [])
+    ]
+    found = json.loads(
+        arena("field-2013", "--bots", "spinner", "--model", "robust", *QUICK, "--json").stdout
+    )
+    assert found["model"] == "robust"
+    (game,) = [
+        game for game in found["games"] if str(game["seed"]) == command[command.index("--seed") + 1]
+    ]
+    assert [event["time"] for event in died] == [game["ended"][0]["time"]]
+
+
+def test_programs_that_stopped_are_named(arena: Call, tmp_path: Path) -> None:
+    bot = written(tmp_path / "b.ast", STOPPING)
+    shown = arena("field-2013", "--bots", f"turret,{bot}", "--seeds", "3-4", "--jobs", "1")
+    said = " ".join(shown.stdout.split())
+    assert f"operation {bot}: line 3: getx null: e is null; seeds 3-4 Seeds" in said
+    found = json.loads(
+        arena("field-2013", "--bots", f"turret,{bot}", "--seeds", "3-4", "--json").stdout
+    )
+    assert found["bots"][1]["stopped"] == 2
+    assert found["games"][1]["ended"][0]["stopped"] == "line 3: getx null: e is null"
+
+
+def test_a_field_from_standard_input_and_bots_from_files(arena: Call, tmp_path: Path) -> None:
+    text = (
+        "[world]\nwidth = 600\nheight = 400\n[[ship]]\nx = 99\ny = 99\nradius = 10\nmass = 1e15\n"
+    )
+    rock = "[[asteroid-field]]\ncount = 3\nradius = 20\nspeed = 90\n"
+    bot = written(tmp_path / "b.ast", "while (true) { fire; }")
+    shown = arena("-", "--bots", bot, "--seeds", "0-3", "--jobs", "2", "--json", input=text + rock)
+    assert shown.exit_code == 0, shown.output
+    assert json.loads(shown.stdout)["field"] == "standard input"
+    assert len({game["ended"][0]["time"] for game in json.loads(shown.stdout)["games"]}) == 4
+
+
+# What is kept.
+
+
+def test_only_what_is_missing_is_played(
+    arena: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    played: list[Game] = []
+
+    def counting(games: Any, *rest: Any) -> Any:
+        played.extend(games)
+        return original(games, *rest)
+
+    monkeypatch.setattr("fasteroids.cli.arena.played", counting)
+    bot = tmp_path / "b.ast"
+
+    def games(bots: str, seeds: str, *more: str) -> int:
+        played.clear()
+        shown = arena(
+            "field-2013", "--bots", bots, "--seeds", seeds, "--jobs", "1", "--for", "4", *more
+        )
+        assert shown.exit_code == 0, shown.output
+        kept = re.fullmatch(r"kept from before: (\d+) of (\d+) games?\n", shown.stderr)
+        assert len(played) == (int(kept[2]) - int(kept[1]) if kept else len(played))
+        return len(played)
+
+    assert games("turret", "0-3") == 4
+    assert games("turret", "0-3") == 0
+    assert games("turret", "2-6") == 3  # seeds added
+    assert games("spinner,turret", "0-6") == 7  # a bot added
+    assert games("turret", "0-6", "--model", "robust") == 7
+    assert games("turret", "0-6", "--fresh") == 7
+    bot.write_text("while (true) { fire; }")
+    assert games(f"turret,{bot}", "0-1") == 2
+    bot.write_text("while (true) { turn 1; }")
+    assert games(f"turret,{bot}", "0-1") == 2  # a bot changed
+    assert games(f"turret,{bot}", "0-1") == 0
+
+
+def test_a_folder_that_cannot_be_written_is_a_warning(call: Call, tmp_path: Path) -> None:
+    file = written(tmp_path / "file", "mine")
+    shown = call("arena", "field-2013", "--bots", "spinner", *QUICK, "--keep", file)
+    assert shown.exit_code == 0
+    assert shown.stderr.startswith("Warning: games are not kept: cannot ")
+    assert shown.stderr.count("\n") == 1
+    assert "spinner" in shown.stdout
+
+
+# What is refused.
+
+
+@pytest.mark.parametrize(
+    ("args", "why"),
+    [
+        (["nope", "--bots", "turret"], "there is no scene 'nope'"),
+        (["field-2014", "--bots", "turret"], "did you mean 'field-2013'?"),
+        (["field-2013", "--bots", "turet"], "there is no bot 'turet' (did you mean 'turret'?); give a file, or one of"),
+        (["field-2013", "--bots", "-"], "there is no bot '-'"),
+        (["field-2013", "--bots", "turret,,spinner"], "names of programs with commas between them"),
+        (["field-2013", "--bots", ""], "names of programs with commas between them"),
+        (["field-2013", "--bots", "turret,spinner,turret"], "the bot 'turret' is named twice; give each once"),
+        (["one-on-one", "--bots", "turret"], "one-on-one is for one against the other: give two bots or more"),
+        (["field-2013", "--bots", "turret", "--seeds", "9-3"], "9-3 runs backwards"),
+        (["field-2013", "--bots", "turret", "--seeds", "one"], "must be seeds such as"),
+        (["field-2013", "--bots", "turret", "--for", "0"], "above 0"),
+        (["field-2013", "--bots", "turret", "--jobs", "0"], "--jobs"),
+        (["field-2013", "--bots", "turret", "--model", "odd"], "there is no model 'odd'"),
+        (["field-2013"], "Missing option '--bots'"),
+        (["--bots", "turret"], "Missing argument 'FIELD'"),
+    ],
+)  # fmt: skip
+def test_bad_input_is_refused(arena: Call, tmp_path: Path, args: list[str], why: str) -> None:
+    shown = arena(*args)
+    assert shown.exit_code == 2
+    assert why in shown.stderr
+    assert shown.stdout == ""
+    assert not (tmp_path / "kept").exists()
+
+
+def test_one_file_by_two_names_is_refused(arena: Call, tmp_path: Path) -> None:
+    bot = written(tmp_path / "b.ast", "fire;")
+    other = str(tmp_path / ".." / tmp_path.name / "b.ast")
+    shown = arena("field-2013", "--bots", f"{bot},{other}")
+    assert shown.exit_code == 2
+    assert f"the bot {other!r} is named twice, also as {bot!r}" in shown.stderr
+
+
+def test_errors_of_a_bot_are_shown_as_check_shows_them(
+    arena: Call, call: Call, tmp_path: Path
+) -> None:
+    bot = written(tmp_path / "b.ast", "double a;\na := tru;\nturn;\n")
+    shown = arena("field-2013", "--bots", f"turret,{bot}")
+    assert shown.exit_code == 2
+    assert shown.stderr.startswith(f"Error: {bot} has 2 errors\n")
+    assert call("check", bot).stdout.rstrip() in shown.stderr
+
+
+def test_a_bot_of_the_folder_is_suggested(
+    arena: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    written(tmp_path / "killer.ast", "fire;")
+    monkeypatch.chdir(tmp_path)
+    assert "did you mean 'killer.ast'?" in arena("field-2013", "--bots", "killer").stderr
+
+
+def test_a_seed_that_makes_no_field_is_named(arena: Call, tmp_path: Path) -> None:
+    scene = (
+        "[world]\nwidth = 210\nheight = 100\n[[ship]]\nx = 20\ny = 50\nradius = 10\nmass = 1e15\n"
+        "[[asteroid-field]]\ncount = 4\nradius = 24\nspeed = 0\n"
+    )
+    field = written(tmp_path / "tight.toml", scene)
+    shown = arena(field, "--bots", "spinner", "--seeds", "0-9", "--for", "1", "--jobs", "2")
+    assert shown.exit_code == 2
+    assert re.match(
+        r"Error: spinner cannot play seed \d: tight.toml: .*no room for more than 3", shown.stderr
+    )
+
+
+@pytest.mark.parametrize("ships", [0, 3])
+def test_a_field_with_no_ships_or_too_many_is_refused(arena: Call, ships: int) -> None:
+    rows = [
+        f"[[ship]]\nx = {50 * i + 20}\ny = 50\nradius = 10\nmass = 1e15\n" for i in range(ships)
+    ]
+    shown = arena(
+        "-", "--bots", "turret", input="".join(["[world]\nwidth = 210\nheight = 100\n", *rows])
+    )
+    assert shown.exit_code == 2
+    assert shown.stderr == (
+        "Error: standard input: a field has one ship, to clear it, or two, one against the other; "
+        f"this one has {ships}\n"
+    )
+
+
+# The record alone.
+
+
+def test_a_record_is_plain_json() -> None:
+    played = {Game(("a",), 0): (Ended("died", 1.0),)}
+    found = record(league(played, ("a",)))
+    assert json.loads(json.dumps(found, allow_nan=False))["bots"][0]["clearing"] is None
+    assert found["pairs"] == []
