@@ -13,8 +13,10 @@ from pathlib import Path
 import pytest
 from attrs import evolve as with_
 from attrs import frozen
+from click.testing import CliRunner
 
 from fasteroids import happenings, load_scene, parse_program
+from fasteroids.cli import main
 from fasteroids.cli._narrate import Narrator
 from fasteroids.lang import syntax, words
 from fasteroids.lang.checker.uses import constructs
@@ -116,6 +118,18 @@ def test_running_tells_what_the_page_says(sample: Sample) -> None:
         longer = LONGER.match(said)
         span = float(longer[1]) if longer else 1.0
         assert said == (longer[0] if longer else "") + told(sample.program, span)
+
+
+def test_the_commands_say_the_same(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What the tests above make of the library is what a reader gets who does as the page says."""
+    sample = next(each for each in SAMPLES if each.reports and each.runs)
+    (tmp_path / "try.toml").write_text(SCENE, encoding="utf-8")
+    (tmp_path / FILE).write_text(sample.program, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    run = CliRunner().invoke(main, ["run", "try.toml", "--for", "1"])
+    assert run.stdout.splitlines(keepends=True)[1:-1] == sample.runs[0].splitlines(keepends=True)
+    check = CliRunner().invoke(main, ["check", FILE])
+    assert check.stdout == sample.reports[0] + "\n"
 
 
 def test_the_pages_show_every_word_and_every_operator() -> None:
