@@ -19,6 +19,7 @@ from pyrsistent import PMap, PVector, pmap, pvector
 
 from fasteroids import models
 from fasteroids._raw import raw
+from fasteroids.actions import Program
 from fasteroids.entities import Asteroid, Bullet, Entity, Ship, checked, id_of, moving
 from fasteroids.moments import (
     START,
@@ -33,7 +34,7 @@ from fasteroids.overlap import Placed, depth, first_overlap, grace, outside, sla
 from fasteroids.paths import Path, path_of
 from fasteroids.units import FUEL, MAX_FUEL, MAX_WORLD_SIZE, ModelError, number, shown
 
-__all__ = ["Cache", "Flight", "Roster", "World", "located", "path", "push"]
+__all__ = ["Cache", "Flight", "Roster", "World", "instructed", "located", "path", "push"]
 
 E = TypeVar("E", Ship, Asteroid, Bullet)
 
@@ -303,6 +304,20 @@ def starting(world: World, entity: Entity) -> Flight:
     now = world.now
     running = type(entity) is Ship and entity.program is not None and entity.program.running
     return flight(now, entity, 0, tick_after(now) if running else None, path(world, entity))
+
+
+def instructed(world: World, ship_id: int, program: Program) -> World:
+    """The world in which a ship runs another program from its next tick on. Its flight stays the same.
+
+    `ModelError` if there is no such entity, it is no ship, or the program is none a ship takes.
+    """
+    f = world.flight_of(ship_id)
+    if not isinstance(f.entity, Ship):
+        raise ModelError(f"a program is for a ship; {describe(f.entity)} is none")
+    told = evolve(f.entity, program=program)
+    tick = tick_after(world.now) if program.running else None
+    f = flight(f.since, told, f.bounced_off, tick, f.path)
+    return replaced(world, world.clock, [(world.slot_of(ship_id), f)], (), ())
 
 
 def path(world: World, e: Entity) -> Path | None:

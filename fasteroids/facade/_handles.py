@@ -13,8 +13,7 @@ from attrs import evolve
 from fasteroids import rules
 from fasteroids.actions import Program
 from fasteroids.entities import Asteroid, Bullet, Entity, Ship, id_of
-from fasteroids.moments import tick_after
-from fasteroids.state import World, describe, flight, replaced
+from fasteroids.state import World, describe, flight, instructed, replaced
 from fasteroids.units import ModelError, number
 
 __all__ = ["AsteroidHandle", "BulletHandle", "Handle", "ShipHandle", "WorldHandle"]
@@ -191,13 +190,7 @@ class WorldHandle:
 
     def instruct(self, ship: ShipHandle, program: Program) -> None:
         """A ship of this world runs another program, from its next tick on. Its flight stays the same."""
-        world, entity_id = self._world, id_of(ship.entity)
-        f = world.flight_of(entity_id)
-        assert isinstance(f.entity, Ship)
-        told = evolve(f.entity, program=program)
-        tick = tick_after(world.now) if program.running else None
-        f = flight(f.since, told, f.bounced_off, tick, f.path)
-        self._world = replaced(world, world.clock, [(world.slot_of(entity_id), f)], (), ())
+        self._world = instructed(self._world, id_of(ship.entity), program)
 
     def move_on(self, eve: World, after: World) -> World:
         """One change: `eve` is the world just before it, `after` just after. Gives the world it is now.
