@@ -24,6 +24,7 @@ COMMANDS: Final = {
     "fmt": "Bring ship programs into their one normal form.",
     "explain": "Say what a scene needs of the model, or what a code means.",
     "new": "Write a program or a scene to start from.",
+    "lsp": "Serve editors: the language server.",
 }
 """The commands, with what the help says of them."""
 
