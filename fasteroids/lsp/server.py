@@ -33,6 +33,9 @@ MOST_BYTES: Final = 1024 * 1024
 _MOST_FAULTS: Final = 500
 """Diagnostics of one text that an editor gets."""
 
+_MOST_OFFERED: Final = 1_000
+"""Completions that an editor gets."""
+
 _QUICK: Final = 50_000
 """Characters that are looked at in some 50 ms or less, so at each key."""
 
@@ -180,7 +183,7 @@ def _completion(ls: _Server, params: types.CompletionParams) -> list[types.Compl
     found = completing.completions(document.reading, place, typed=typed or "")
     return [
         wire.completion(document.page, each, rank, snippets=snippets)
-        for rank, each in enumerate(found)
+        for rank, each in enumerate(found[:_MOST_OFFERED])
     ]
 
 

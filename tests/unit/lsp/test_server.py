@@ -262,7 +262,7 @@ async def test_quick_fixes_mend_what_is_asked_about_and_one_action_mends_all(
     actions = await client.text_document_code_action_async(
         types.CodeActionParams(DOCUMENT, line, only)
     )
-    assert [*actions or ()] == [fix_all]
+    assert [*(actions or ())] == [fix_all]
 
 
 async def test_the_outline_has_the_declarations(client: LanguageClient) -> None:
