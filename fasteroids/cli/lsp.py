@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from importlib.util import find_spec
+from signal import SIG_DFL, SIGINT, signal
 
 import click
 
@@ -25,6 +26,8 @@ def command(stdio: bool) -> int:
         raise Refusal("the language server needs an extra: pip install 'fasteroids[lsp]'")
     if sys.stdin is None or sys.stdin.isatty():
         raise Refusal("the language server is for editors to start: it reads no terminal")
+    # Whoever waits in a read of standard input cannot be told to stop: let an interrupt end the process.
+    signal(SIGINT, SIG_DFL)
     from fasteroids.lsp.server import serve
 
     return DONE if serve() else FINDINGS

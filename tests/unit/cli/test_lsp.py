@@ -7,6 +7,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
+from signal import SIGINT
 from threading import Timer
 from typing import Any
 
@@ -82,11 +83,10 @@ def talk() -> Iterator[Talk]:
     talk = Talk()
     watchdog = Timer(60, talk.process.kill)  # a server that is stuck fails the test, not the run
     watchdog.start()
-    yield talk
-    watchdog.cancel()
-    if talk.process.poll() is None:
+    with talk.process:
+        yield talk
+        watchdog.cancel()
         talk.process.kill()
-        talk.process.communicate()
 
 
 def test_an_editor_that_leaves_in_order_ends_it_with_0(talk: Talk) -> None:
@@ -99,6 +99,13 @@ def test_an_editor_that_leaves_in_order_ends_it_with_0(talk: Talk) -> None:
 def test_an_editor_that_is_gone_ends_it_with_1(talk: Talk) -> None:
     talk.start()
     assert talk.end() == 1
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no such signals")
+def test_an_interrupt_ends_it_while_the_editor_is_still_there(talk: Talk) -> None:
+    talk.start()
+    talk.process.send_signal(SIGINT)
+    assert talk.process.wait(timeout=30) == -SIGINT
 
 
 def test_it_tells_all_that_it_can_do(talk: Talk) -> None:
