@@ -6,8 +6,11 @@
     completing   what could be written at a place
     navigating   where a variable is declared and used; other names for it
     mending      fixes, and the normal form
-    server       the shell: the protocol, over standard input and output
 
-All but the last are functions of values, total for any text and any place. Only `server` and `wire`, which puts their
-values into the protocol's words, know the library that speaks it; it is an extra, `fasteroids[lsp]`.
+These are functions of values, total for any text and any place. The shell around them speaks the protocol, with a
+library that is an extra, `fasteroids[lsp]`; nothing else knows it:
+
+    wire         their values in the words of the protocol
+    session      the texts that an editor has open
+    server       what is answered to what, over standard input and output
 """

@@ -39,7 +39,6 @@ SNIPPETS: Final[Mapping[str, str]] = {
     "entity": "entity ${1:e};",
     "bool": "bool ${1:b};",
     **{call: f"{call}($1)" for call in words.CALLS},
-    **{getter: f"{getter} $0" for getter in words.GETTERS},
 }
 """What a word brings along: `${1:x}` is a place to fill in, with `x` in it at first, and `$0` where one ends up."""
 
@@ -271,7 +270,7 @@ def _only_here(places: list[Span], span: Span) -> bool:
 
 def _word(reading: Reading, word: str, kind: Kind, span: Span) -> Completion:
     meaning = MEANINGS[word]
-    snippet = SNIPPETS.get(word, word) if kind not in ("kind", "constant") else word
+    snippet = SNIPPETS.get(word, word)
     if snippet.endswith(";") and _semicolon_follows(reading, span):
         snippet = snippet[:-1]
     plain = word if _PLACEHOLDER.search(snippet) else snippet

@@ -104,7 +104,7 @@ def completion(page: Page, found: Completion, rank: int, *, snippets: bool) -> t
     text = found.snippet if snippet else found.plain
     return types.CompletionItem(
         label=found.label,
-        kind=types.CompletionItemKind.Snippet if snippet else _KINDS[found.kind],
+        kind=_KINDS[found.kind],
         detail=found.detail,
         documentation=found.sentence or None,
         sort_text=f"{rank:06}",

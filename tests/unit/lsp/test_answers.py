@@ -196,7 +196,7 @@ def test_a_snippet_filled_in_with_what_it_suggests_is_right(word: str) -> None:
     if word in MEANINGS and MEANINGS[word].usage.endswith((";", "}")):
         text = snippet.replace("$0", "")
     else:
-        text = f"turn {snippet.replace('$0', 'self').replace('$1', '0')};"
+        text = f"turn {snippet.replace('$1', '0')};"
     text = f"if (true) {{ }} {text}" if word == "else" else f"entity a; {text}"
     assert diagnose(text) == ()
 
