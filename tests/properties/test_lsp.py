@@ -7,13 +7,14 @@ from bisect import bisect_right
 from hypothesis import given
 from hypothesis import strategies as st
 
+from fasteroids.lang.diagnostics import Edit
 from fasteroids.lang.formatter import formatted
 from fasteroids.lang.front import diagnose
 from fasteroids.lang.parser import parse_program
 from fasteroids.lang.parser.lexer import lines
 from fasteroids.lang.printer import printed
 from fasteroids.lang.source import Span
-from fasteroids.lang.words import KEYWORDS, SIGNS
+from fasteroids.lang.words import GETTERS, KEYWORDS, SIGNS
 from fasteroids.lsp.completing import completions
 from fasteroids.lsp.hovering import hover
 from fasteroids.lsp.mending import fix_all, fixes, formatting, put_in
@@ -170,3 +171,35 @@ def test_the_token_at_a_place_is_the_one_around_or_beside_it(text: str, at: int,
     ]
     assert (index in touching) if touching else index is None
     assert reading.last_before(place) == bisect_right(starts, (place[0], place[1] - 1)) - 1
+
+
+def reads(before: list[str]) -> bool:
+    """Is the next operand that of a getter? To read `null` is legal there, but stops the program: it is not offered."""
+    while before and before[-1] == "(":
+        before = before[:-1]
+    return bool(before) and before[-1] in GETTERS
+
+
+@given(program_texts(), st.data())
+def test_the_word_that_a_program_has_somewhere_is_offered_there(
+    text: str, data: st.DataObject
+) -> None:
+    whole = Reading(text)
+    t = whole.tokens
+    declared = {each.target.span for found in whole.declarations.values() for each in found}
+    places = [
+        i
+        for i in range(len(t.kinds) - 2)
+        if whole.is_word(i)
+        and t.span(i, i) not in declared
+        and len(whole.names.get(t.texts[i], "..")) > 1
+        and not (t.kinds[i] == "null" and reads(t.kinds[:i]))
+    ]
+    if not places:
+        return
+    index = data.draw(st.sampled_from(places))
+    word, span = t.texts[index], t.span(index, index)
+    for typed in (word[:1], ""):
+        reading = Reading(put_in(text, [Edit(span, typed)]))
+        place = (span.line, span.column + len(typed))
+        assert word in [each.label for each in completions(reading, place)]

@@ -135,6 +135,22 @@ def test_places_are_in_the_units_that_the_editor_asks_for(
     assert found["result"]["contents"]["value"].startswith("getdir: double")
 
 
+def test_an_editor_that_can_do_little_gets_what_it_can_show(talk: Talk) -> None:
+    talk.start()
+    talk.open("entity e;\nturn e;\n")
+    [fault] = talk.hear()["params"]["diagnostics"]
+    assert fault["code"] == "FA107"
+    assert "relatedInformation" not in fault
+    assert "codeDescription" not in fault
+    place = {"textDocument": {"uri": URI}, "position": {"line": 1, "character": 0}}
+    offered = talk.ask("textDocument/completion", **place)["result"]
+    assert {each["insertTextFormat"] for each in offered} == {1}  # plain text
+    assert "while" in [each["textEdit"]["newText"] for each in offered]
+    shown = talk.ask("textDocument/hover", **place)["result"]["contents"]
+    assert shown["kind"] == "plaintext"
+    assert shown["value"].startswith("turn e;\n\nAction: ")
+
+
 def test_it_goes_on_after_messages_that_make_no_sense(talk: Talk) -> None:
     talk.start()
     talk.send(b"{")
