@@ -10,12 +10,10 @@ from attrs import frozen
 from fasteroids.lang import syntax
 from fasteroids.lang.diagnostics import Edit
 from fasteroids.lang.names import shortened
-from fasteroids.lang.parser import parse_program
 from fasteroids.lang.parser.lexer import END, NAME, quoted, tokens
 from fasteroids.lang.source import Span
 from fasteroids.lang.syntax import Type
 from fasteroids.lang.words import KEYWORDS
-from fasteroids.lsp.mending import put_in
 from fasteroids.lsp.reading import Place, Reading
 
 __all__ = [
@@ -113,12 +111,4 @@ def renamed(reading: Reading, place: Place, new: str) -> tuple[Edit, ...] | Refu
         )
     if new in reading.names:
         return Refused(f"`{shortened(new)}` is another variable already")
-    edits = tuple(Edit(span, new) for span in reading.names[name])
-    if _syntax(put_in(reading.text, edits)) != _syntax(reading.text):
-        return Refused(f"`{shortened(new)}` would be taken for something else than a name here")
-    return edits
-
-
-def _syntax(text: str) -> list[str]:
-    """The codes of the syntax errors of a text."""
-    return [each.code for each in parse_program(text).diagnostics]
+    return tuple(Edit(span, new) for span in reading.names[name])
