@@ -25,6 +25,7 @@ COMMANDS: Final = {
     "explain": "Say what a scene needs of the model, or what a code means.",
     "arena": "Compare ship programs over many seeds of a field.",
     "new": "Write a program or a scene to start from.",
+    "lsp": "Serve editors: the language server.",
 }
 """The commands, with what the help says of them."""
 

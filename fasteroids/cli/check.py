@@ -15,7 +15,7 @@ from fasteroids.cli._faults import Checked
 from fasteroids.cli._files import STDIO, Lines, read_program, write_whole
 from fasteroids.cli._guard import DONE, FINDINGS, USAGE, Refusal
 from fasteroids.lang.diagnostics import Diagnostic
-from fasteroids.lang.front import diagnose_bytes, mended
+from fasteroids.lang.front import diagnose_bytes, mended_throughout
 from fasteroids.lang.lint import warnings
 from fasteroids.lang.parser import parse_program
 from fasteroids.lang.report import Role, legible, rendered
@@ -24,9 +24,6 @@ __all__ = ["MOST_SHOWN", "command"]
 
 MOST_SHOWN: Final = 20
 """Diagnostics of one file that are shown to people. Tools get all."""
-
-_MOST_ROUNDS: Final = 20
-"""So often a program is mended and checked again: a fix can bring to light what another fix is for."""
 
 _FORMATS: Final[dict[str, Callable[[list[Checked]], list[str]]]] = {
     "json": faults.as_json,
@@ -114,15 +111,11 @@ def _mended(place: str, course: bool) -> Checked:
     first, found = _found(data, course)
     if mark + first.encode(errors="replace") != data:
         return Checked(place, first, found)
-    text = first
-    for _ in range(_MOST_ROUNDS):
-        after = mended(text, found)
-        if after == text:
-            break
-        text, found = _found(after.encode(), course)
+    text = mended_throughout(first, lambda each: _found(each.encode(), course)[1])
     if text != first:
         write_whole(place, mark.decode() + text)
         click.echo(f"{legible(place)}: fixes put in", err=True)
+        _, found = _found(text.encode(), course)
     return Checked(place, text, found)
 
 

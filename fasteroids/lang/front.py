@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_left, bisect_right, insort
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import accumulate
 from typing import Final
 
@@ -12,9 +12,12 @@ from fasteroids.lang.checker import complaints
 from fasteroids.lang.diagnostics import Diagnostic
 from fasteroids.lang.parser import Parsed, parse_bytes, parse_program
 
-__all__ = ["diagnose", "diagnose_bytes", "mended"]
+__all__ = ["diagnose", "diagnose_bytes", "diagnosed", "mended", "mended_throughout"]
 
 _LINE_END: Final = re.compile(r"\r\n?|\n")
+
+_MOST_ROUNDS: Final = 20
+"""So often a program is mended and checked again: a fix can bring to light what another fix is for."""
 
 
 def diagnose(text: str) -> tuple[Diagnostic, ...]:
@@ -22,16 +25,17 @@ def diagnose(text: str) -> tuple[Diagnostic, ...]:
 
     A type error in a piece that a syntax error is about is left out: it may be a mere consequence.
     """
-    return _diagnosed(parse_program(text))
+    return diagnosed(parse_program(text))
 
 
 def diagnose_bytes(data: bytes) -> tuple[str, tuple[Diagnostic, ...]]:
     """The text of a file of a program, and all that is wrong with it, its encoding included. Never raises."""
     parsed = parse_bytes(data)
-    return parsed.tree.source, _diagnosed(parsed)
+    return parsed.tree.source, diagnosed(parsed)
 
 
-def _diagnosed(parsed: Parsed) -> tuple[Diagnostic, ...]:
+def diagnosed(parsed: Parsed) -> tuple[Diagnostic, ...]:
+    """What `diagnose` finds in a text, of one that was read already."""
     return _joined(parsed.diagnostics, complaints(parsed.tree))
 
 
@@ -71,6 +75,16 @@ def mended(text: str, diagnostics: Iterable[Diagnostic]) -> str:
         pieces += [text[at:start], new]
         at = end
     return "".join(pieces) + text[at:]
+
+
+def mended_throughout(text: str, found: Callable[[str], Iterable[Diagnostic]]) -> str:
+    """The text mended again and again, with what `found` says of each, until no fix changes it any more."""
+    for _ in range(_MOST_ROUNDS):
+        after = mended(text, found(text))
+        if after == text:
+            break
+        text = after
+    return text
 
 
 _Change = tuple[int, int, str]

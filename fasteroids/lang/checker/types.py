@@ -13,7 +13,7 @@ from fasteroids.lang import syntax
 from fasteroids.lang.syntax import Expression, Type
 from fasteroids.lang.words import CALLS, GETTERS
 
-__all__ = ["EQUALITIES", "GIVES", "TAKES", "type_of", "wants", "with_article"]
+__all__ = ["CONSTANT_TYPES", "EQUALITIES", "GIVES", "TAKES", "type_of", "wants", "with_article"]
 
 EQUALITIES: Final = ("==", "!=")
 """They take two operands of one type, whichever it is."""
@@ -30,6 +30,15 @@ GIVES: Final[Mapping[str, Type]] = {
     **dict.fromkeys(("<", "<=", ">", ">=", "&&", "||", "!", *EQUALITIES), "bool"),
 }
 """The type of what an operator gives."""
+
+CONSTANT_TYPES: Final[Mapping[str, Type]] = {
+    "true": "bool",
+    "false": "bool",
+    "null": "entity",
+    "self": "entity",
+    "getdir": "double",
+}
+"""The type of an expression of one word."""
 
 
 def with_article(kind: Type) -> str:

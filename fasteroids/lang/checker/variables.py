@@ -7,7 +7,7 @@ from typing import Final
 
 from attrs import frozen
 
-from fasteroids.lang.checker.types import with_article
+from fasteroids.lang.checker.types import CONSTANT_TYPES, with_article
 from fasteroids.lang.checker.uses import Construct, How, Use, constructs, declarations, uses
 from fasteroids.lang.diagnostics import Diagnostic, Edit, Note
 from fasteroids.lang.names import closest, shortened
@@ -22,14 +22,6 @@ _MOST_NOTES: Final = 3
 
 _MOST_COMPARISONS: Final = 2_000
 """Comparisons of names in search of slips in one program; a bound, so that no text takes long to check."""
-
-_CONSTANTS: Final[Mapping[str, Type]] = {
-    "true": "bool",
-    "false": "bool",
-    "null": "entity",
-    "self": "entity",
-    "getdir": "double",
-}
 
 
 @frozen
@@ -200,11 +192,15 @@ class _Near:
         if self._left < 0:
             return None
         foreign = CONSTANTS.get(name)
-        if foreign is not None and hows.isdisjoint(_SETS) and kind in (_CONSTANTS[foreign], None):
+        if (
+            foreign is not None
+            and hows.isdisjoint(_SETS)
+            and kind in (CONSTANT_TYPES[foreign], None)
+        ):
             return foreign
         candidates = [known for known, its in self._types.items() if kind in (its, None)]
         if hows.isdisjoint(_SETS):
-            candidates += [word for word, its in _CONSTANTS.items() if kind in (its, None)]
+            candidates += [word for word, its in CONSTANT_TYPES.items() if kind in (its, None)]
         return closest(name, candidates)
 
 

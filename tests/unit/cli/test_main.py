@@ -32,9 +32,13 @@ def test_help_names_every_command(call: Call, flag: str) -> None:
 def test_every_command_has_help(call: Call, name: str) -> None:
     shown = call(name, "--help")
     assert shown.exit_code == 0
-    assert {"check": "FILE...", "fmt": "FILE...", "new": "bot|scene NAME", "arena": "FIELD"}.get(
-        name, "SCENE"
-    ) in shown.stdout
+    assert {
+        "check": "FILE...",
+        "fmt": "FILE...",
+        "new": "bot|scene NAME",
+        "arena": "FIELD",
+        "lsp": "--stdio",
+    }.get(name, "SCENE") in shown.stdout
 
 
 def test_version(call: Call) -> None:

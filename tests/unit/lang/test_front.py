@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from fasteroids.lang import words
 from fasteroids.lang.checker import complaints
 from fasteroids.lang.diagnostics import Diagnostic, Edit
-from fasteroids.lang.front import diagnose, diagnose_bytes, mended
+from fasteroids.lang.front import diagnose, diagnose_bytes, mended, mended_throughout
 from fasteroids.lang.parser import parse_program
 from fasteroids.lang.report import rendered
 from fasteroids.lang.source import Span
@@ -141,3 +141,17 @@ def test_of_two_fixes_that_clash_the_first_is_taken_and_the_other_left_whole() -
 def test_places_count_lines_as_the_parser_does(end: str) -> None:
     text = f"// é{end}bool b := 0;{end}"
     assert mended(text, diagnose(text)) == f"// é{end}bool b := false;{end}"
+
+
+def test_mending_goes_on_until_no_fix_changes_anything() -> None:
+    text = "double d;\nentity e\nd = 1;\nturn d\n"
+    after = mended_throughout(text, diagnose)
+    assert after == "double d;\nentity e;\nd := 1;\nturn d;\n"
+    assert mended_throughout(after, diagnose) == after
+
+
+def test_mending_ends_even_if_the_fixes_never_do() -> None:
+    def always(text: str) -> list[Diagnostic]:
+        return [fault(((1, 1, 1, 1), "x"))] if text else []
+
+    assert set(mended_throughout("x", always)) == {"x"}
