@@ -38,7 +38,8 @@ def faults(text: str) -> list[str]:
 
 def test_scenes_that_come_with_the_package() -> None:
     assert SHIPPED == [
-        "default.toml", "duel.toml", "field-2013.toml", "field-storm.toml", "gas.toml", "pilot.toml",
+        "default.toml", "duel.toml", "field-2013.toml", "field-storm.toml", "gas.toml",
+        "one-on-one.toml", "pilot.toml",
         "squeeze.toml", "thrust.toml",
     ]  # fmt: skip
 
