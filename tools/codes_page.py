@@ -38,8 +38,7 @@ def _phase(phase: str) -> str:
     heading, what = PHASES[phase]
     codes = {name: code for name, code in CODES.items() if code.phase == phase}
     index = "".join(
-        "- [%s](#%s) %s\n" % (name, name.lower(), _capital(code.title))
-        for name, code in codes.items()
+        "- [%s](#%s) %s\n" % (name, name.lower(), code.title) for name, code in codes.items()
     )
     return "\n## %s\n\n%s\n\n%s%s" % (
         heading,
@@ -53,16 +52,11 @@ def _section(name: str, code: Code) -> str:
     """One code."""
     return "\n### %s\n\n**%s.** %s\n\nWrong:\n\n%s\nRight:\n\n%s" % (
         name,
-        _capital(code.title),
+        code.title,
         code.why,
         _fenced(code.wrong),
         _fenced(code.right),
     )
-
-
-def _capital(title: str) -> str:
-    """A title with a capital at its start."""
-    return title[:1].upper() + title[1:]
 
 
 def _fenced(program: str) -> str:

@@ -28,7 +28,7 @@ def _syntax(title: str, *, why: str, wrong: str, right: str) -> Code:
 
 SYNTAX: Final[dict[str, Code]] = {
     "FA001": _syntax(
-        "a character that is no part of the language",
+        "A character that is no part of the language",
         why=(
             "Programs are made of names, numbers, the signs of the language, blanks, tabs, line "
             "ends and `//` comments. Anything else is refused, so that no slip is passed over "
@@ -38,7 +38,7 @@ SYNTAX: Final[dict[str, Code]] = {
         right="turn 1;",
     ),
     "FA002": _syntax(
-        "bytes that are not UTF-8",
+        "Bytes that are not UTF-8",
         why=(
             "A program is a text in UTF-8. Where its bytes are something else, nobody knows "
             "which characters were meant. Most editors can save a text as UTF-8."
@@ -47,7 +47,7 @@ SYNTAX: Final[dict[str, Code]] = {
         right="turn 1;",
     ),
     "FA003": _syntax(
-        "a number in another notation",
+        "A number in another notation",
         why=(
             "A number is digits, or digits, a point and digits: no point at either end, no "
             "decimal comma, no exponent, no letters."
@@ -56,25 +56,25 @@ SYNTAX: Final[dict[str, Code]] = {
         right="turn 0.5;",
     ),
     "FA004": _syntax(
-        "a comment in another notation",
+        "A comment in another notation",
         why="A comment starts with `//` and ends with its line.",
         wrong="/* away */ fire;",
         right="// away\nfire;",
     ),
     "FA005": _syntax(
-        "text in quotes",
+        "Text in quotes",
         why="Values are numbers, truth values and entities; there is no text among them.",
         wrong='print "hit";',
         right="print 1; // hit",
     ),
     "FA006": _syntax(
-        "a malformed name",
+        "A malformed name",
         why="A name is a letter (a to z, A to Z), then such letters, digits and underscores.",
         wrong="double _d;",
         right="double d;",
     ),
     "FA007": _syntax(
-        "markup of a web page",
+        "Markup of a web page",
         why=(
             "Tags and entities such as `</pre>` and `&lt;` come along when a program is copied "
             "from the source of a page."
@@ -83,13 +83,13 @@ SYNTAX: Final[dict[str, Code]] = {
         right="fire;",
     ),
     "FA008": _syntax(
-        "a number too large",
+        "A number too large",
         why="A number is a double: at most about 1.8 * 10^308.",
         wrong="turn 1" + "0" * 309 + ";",
         right="turn 10;",
     ),
     "FA009": _syntax(
-        "an operator in another spelling",
+        "An operator in another spelling",
         why=(
             "The operators are `+ - * / %`, `== != < <= > >=`, `&& || !` and `getx` and its like."
         ),
@@ -97,7 +97,7 @@ SYNTAX: Final[dict[str, Code]] = {
         right="bool b; b := b && b;",
     ),
     "FA010": _syntax(
-        "a missing semicolon",
+        "A missing semicolon",
         why=(
             "Declarations, assignments, `print` and actions end in `;`, also before `}` and at "
             "the end of the text. Only `skip` may go without."
@@ -112,19 +112,19 @@ SYNTAX: Final[dict[str, Code]] = {
         right="double d; d := 1;",
     ),
     "FA012": _syntax(
-        "a missing `)`",
+        "A missing `)`",
         why="Each `(` is closed by its `)` in the same expression.",
         wrong="turn (1 + 2;",
         right="turn (1 + 2);",
     ),
     "FA013": _syntax(
-        "a missing `(`",
+        "A missing `(`",
         why="`sqrt`, `sin`, `cos` and the head of a `foreach` demand parentheses.",
         wrong="turn sqrt 2;",
         right="turn sqrt(2);",
     ),
     "FA014": _syntax(
-        "a missing `}`",
+        "A missing `}`",
         why=(
             "Each block is closed by its own `}`. Which one is missing is guessed from the "
             "indentation of the lines."
@@ -133,7 +133,7 @@ SYNTAX: Final[dict[str, Code]] = {
         right="while (true) {\n  if (true) {\n    fire;\n  }\n}",
     ),
     "FA015": _syntax(
-        "a missing `{`",
+        "A missing `{`",
         why=(
             "The body of an `if`, `else`, `while` or `foreach` stands between braces, even if "
             "it is one statement."
@@ -142,19 +142,19 @@ SYNTAX: Final[dict[str, Code]] = {
         right="if (true) { fire; }",
     ),
     "FA016": _syntax(
-        "a `}` that closes nothing",
+        "A `}` that closes nothing",
         why="There are more closing braces than opening ones.",
         wrong="fire; }",
         right="fire;",
     ),
     "FA017": _syntax(
-        "a `)` that closes nothing",
+        "A `)` that closes nothing",
         why="There are more closing parentheses than opening ones.",
         wrong="turn 1);",
         right="turn 1;",
     ),
     "FA018": _syntax(
-        "a missing expression",
+        "A missing expression",
         why=(
             "Something needs a value and has none: `turn` an angle, `print` a value, an "
             "operator both its sides."
@@ -163,25 +163,25 @@ SYNTAX: Final[dict[str, Code]] = {
         right="turn 0.2;",
     ),
     "FA019": _syntax(
-        "a missing operator",
+        "A missing operator",
         why="Two expressions stand side by side. Multiplication is always written `*`.",
         wrong="turn 2 (1 + 1);",
         right="turn 2 * (1 + 1);",
     ),
     "FA020": _syntax(
-        "something unexpected",
+        "Something unexpected",
         why="What stands here can neither go on with what came before nor start a statement.",
         wrong="1 + 1;",
         right="print 1 + 1;",
     ),
     "FA021": _syntax(
-        "a misspelt word",
+        "A misspelt word",
         why="The word is none of the language, but close to one that fits here. Case matters.",
         wrong="trun 1;",
         right="turn 1;",
     ),
     "FA022": _syntax(
-        "a word of another language",
+        "A word of another language",
         why=(
             "The types are `bool`, `double` and `entity`. The statements are declarations, "
             "assignments, `if`, `while`, `foreach`, `print`, and the actions `turn`, `fire`, "
@@ -191,13 +191,13 @@ SYNTAX: Final[dict[str, Code]] = {
         right="double i;",
     ),
     "FA023": _syntax(
-        "no name where a variable is expected",
+        "No name where a variable is expected",
         why="A variable has a name, and it is none of the words of the language.",
         wrong="double turn;",
         right="double angle;",
     ),
     "FA024": _syntax(
-        "a malformed `foreach`",
+        "A malformed `foreach`",
         why=(
             "`foreach (kind, variable)` runs its body once for each entity of the kind `ship`, "
             "`asteroid`, `bullet` or `any`, with the entity in a variable that is declared "
@@ -207,31 +207,31 @@ SYNTAX: Final[dict[str, Code]] = {
         right="entity a; foreach (asteroid, a) { }",
     ),
     "FA025": _syntax(
-        "several variables in one declaration",
+        "Several variables in one declaration",
         why="A declaration declares one variable.",
         wrong="double a, b;",
         right="double a; double b;",
     ),
     "FA026": _syntax(
-        "an action that takes nothing is given something",
+        "An action that takes nothing is given something",
         why="Of the actions only `turn` takes an expression.",
         wrong="fire();",
         right="fire;",
     ),
     "FA027": _syntax(
-        "several values where one is expected",
+        "Several values where one is expected",
         why="`print` shows one value, and `sqrt`, `getx` and their like take one.",
         wrong="print 1, 2, 3;",
         right="print 1; print 2; print 3;",
     ),
     "FA028": _syntax(
-        "a shorthand for an assignment",
+        "A shorthand for an assignment",
         why="An assignment is `x := e;` and nothing else.",
         wrong="double d; d += 1;",
         right="double d; d := d + 1;",
     ),
     "FA029": _syntax(
-        "too deep a nesting",
+        "Too deep a nesting",
         why=(
             "A program has at most 100 parts inside each other, counting blocks, statements and "
             "expressions, and at most 100 open parentheses. A sum of many terms is nested too: "
@@ -242,7 +242,7 @@ SYNTAX: Final[dict[str, Code]] = {
         right="turn 1 + 1;",
     ),
     "FA030": _syntax(
-        "a function the language has not",
+        "A function the language has not",
         why=(
             "The functions are `sqrt`, `sin` and `cos`, and those of entities `getx`, `gety`, "
             "`getvx`, `getvy` and `getradius`."
@@ -251,7 +251,7 @@ SYNTAX: Final[dict[str, Code]] = {
         right="turn sqrt(1 * 1);",
     ),
     "FA031": _syntax(
-        "a field of an entity",
+        "A field of an entity",
         why=(
             "Entities are read with `getx e`, `gety e`, `getvx e`, `getvy e` and `getradius e`, "
             "and cannot be written."
@@ -269,7 +269,7 @@ SYNTAX: Final[dict[str, Code]] = {
         right="if (true) { fire; } else { skip; }",
     ),
     "FA033": _syntax(
-        "a block on its own",
+        "A block on its own",
         why=(
             "A block is the body of an `if`, `else`, `while` or `foreach`. All variables are "
             "global, so a block on its own would mean nothing."
@@ -278,13 +278,13 @@ SYNTAX: Final[dict[str, Code]] = {
         right="fire;",
     ),
     "FA034": _syntax(
-        "an assignment inside an expression",
+        "An assignment inside an expression",
         why="An assignment is a statement and has no value.",
         wrong="double a; double b; a := b := 1;",
         right="double a; double b; b := 1; a := b;",
     ),
     "FA035": _syntax(
-        "a plus sign before an expression",
+        "A plus sign before an expression",
         why="There is a minus sign before an expression, but no plus sign.",
         wrong="turn +1;",
         right="turn 1;",
