@@ -165,6 +165,8 @@ def test_a_declaration_of_nothing_in_use_can_be_taken_out(text: str, after: str)
         ("double x; x := 0.1; if (1 != x) { fire; }", [("FA207", 1, 25)]),
         ("double x; x := 1; x := x / 3; if (x == 0) { fire; }", [("FA207", 1, 35)]),
         ("double x; double y; y := x; x := y + getdir; print y == 1;", [("FA207", 1, 52)]),
+        ("double x; double y; y := x % 2; x := getdir; print y == 1;", [("FA207", 1, 52)]),
+        ("double n; n := n + 0.5; print n % 1 == 0;", [("FA207", 1, 31)]),
         ("print !(getdir == 0.5);", [("FA207", 1, 9)]),
     ],
 )
@@ -182,6 +184,8 @@ def test_doubles_compared_for_equality_are_told(
         "print getdir < 1;",
         "double n; n := n + 1; if (n == 3) { n := -1; }",
         "double n; double m; m := n; n := m * 2 - 1; print n != m;",
+        "double n; n := n + 1; if (n % 3 == 0) { fire; }",
+        "double n; double m; n := n + 1; m := -n % 4; print m == 1;",
     ],
 )
 def test_counters_and_other_types_compared_are_not_told(text: str) -> None:
