@@ -14,6 +14,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from attrs import evolve
+
 from fasteroids.lang import syntax
 from fasteroids.lang.checker import remedies
 from fasteroids.lang.checker.types import EQUALITIES, type_of, wants, with_article
@@ -32,8 +34,14 @@ def complaints(tree: Program) -> tuple[Diagnostic, ...]:
     program = constructs(tree)
     variables = understood(tree, program)
     found = [*variables.complaints]
+    told: Node | None = None
     for node, loop in program:
-        found += _misfits(node, variables)
+        side = remedies.negated_side(node, variables.types)
+        if side is not None:
+            found.append(_negated_side(node, side, variables))
+            told = side
+        elif node is not told:
+            found += _misfits(node, variables)
         if loop is not None and isinstance(node, syntax.Act | syntax.Turn):
             found.append(_action_in_loop(node, loop))
     return tuple(sorted(found, key=lambda each: each.span))
@@ -134,6 +142,15 @@ def _wrong_operand(
         notes=tuple(dict.fromkeys(notes)),
         fix=fix if len(wrong) == 1 else (),
     )
+
+
+def _negated_side(node: Node, side: syntax.Unary, known: Variables) -> Diagnostic:
+    """`!a < b` for `!(a < b)`: one fault, though neither `!` nor `<` has what it takes."""
+    found = type_of(side.operand, known.types)
+    assert found is not None
+    wrong = _wrong_operand(side, [(side.operand, found, "bool")], known)
+    hint, fix = remedies.for_negated_side(node, side)
+    return evolve(wrong, hint=hint, fix=fix)
 
 
 def _taker(node: Node, wanted: Type) -> tuple[str, str]:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Final
 
 from fasteroids.lang import syntax
+from fasteroids.lang.checker.types import EQUALITIES, type_of
 from fasteroids.lang.checker.uses import Node
 from fasteroids.lang.diagnostics import Edit
 from fasteroids.lang.names import shortened
@@ -12,7 +14,14 @@ from fasteroids.lang.source import Span
 from fasteroids.lang.syntax import Expression, Type
 from fasteroids.lang.words import GETTERS
 
-__all__ = ["Remedy", "for_equality", "for_operand", "for_value"]
+__all__ = [
+    "Remedy",
+    "for_equality",
+    "for_negated_side",
+    "for_operand",
+    "for_value",
+    "negated_side",
+]
 
 Remedy = tuple[str | None, tuple[Edit, ...]]
 """A hint, if there is a likely fix, and the fix, if it is safe."""
@@ -48,6 +57,28 @@ def for_equality(node: syntax.Binary, one: Type, other: Type) -> Remedy:
     if {one, other} == {"double", "entity"}:
         return _number_of(left if one == "entity" else right), ()
     return "Compare two doubles, two bools or two entities", ()
+
+
+def negated_side(node: Node, types: Mapping[str, Type]) -> syntax.Unary | None:
+    """The `!a` of `!a < b`, if `!(a < b)` would be right; None if it would not, or if there is no such."""
+    match node:
+        case syntax.Binary(operator, syntax.Unary("!", operand) as side, right) if (
+            operator in _COMPARISONS and side.span.start == node.span.start
+        ):
+            kind = type_of(operand, types)
+            fits = kind == "double" or (kind == "entity" and operator in EQUALITIES)
+            return side if fits and kind == type_of(right, types) else None
+    return None
+
+
+def for_negated_side(node: Node, side: syntax.Unary) -> Remedy:
+    """For the `!a` that `negated_side` finds in `!a < b`."""
+    assert isinstance(node, syntax.Binary)
+    line, column = side.span.start
+    opened, closed = Span(line, column + 1, line, column + 1), node.span.after()
+    meant = f"{_text(side.operand)} {node.operator} {_text(node.right)}"
+    hint = f"`!` binds more strongly than `{node.operator}`: write `!({meant})`"
+    return hint, (Edit(opened, "("), Edit(closed, ")"))
 
 
 def _number_of(entity: Expression) -> str:

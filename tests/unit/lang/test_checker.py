@@ -90,6 +90,11 @@ def test_accepts(text: str) -> None:
         ("print -true;", ["FA105 1:8"]),
         ("print -self % 2;", ["FA105 1:8"]),
         ("print !3;", ["FA105 1:8"]),
+        ("print !getx self > 3 && !self == null;", ["FA105 1:8", "FA105 1:26"]),
+        ("double d; print !d < 1 || !sqrt(true) < 2;", ["FA105 1:18", "FA105 1:28", "FA105 1:33"]),
+        # What `!(...)` would not mend is two faults.
+        ("print !getx self > null;", ["FA105 1:7", "FA105 1:8"]),
+        ("print (!getx self) > 3;", ["FA105 1:8", "FA105 1:9"]),
         ("print getx 3; print getvy true;", ["FA105 1:12", "FA105 1:27"]),
         ("print sqrt(null); print cos(true);", ["FA105 1:12", "FA105 1:29"]),
         ("print self < null;", ["FA105 1:7"]),
@@ -362,6 +367,8 @@ def test_both_places_are_shown_where_two_disagree(text: str, notes: list[str]) -
         ("double d := 1; print 0 < d < 10;", "Comparisons do not chain: write `0 < d && d < 10`"),
         ("double d := 1; print d == d == 2;", "Comparisons do not chain: write `d == d && d == 2`"),
         ("print -true;", "Not is written `!`"),
+        ("print !getx self > 3;", "`!` binds more strongly than `>`: write `!(getx self > 3)`"),
+        ("print !self == null;", "`!` binds more strongly than `==`: write `!(self == null)`"),
         ("entity e; print e < self;", "Compare a number of the entity, as in `getx e`"),
         ("bool b; b := getx self;", "Compare it with a number, as in `getx self != 0`"),
         ("double d; d := true;", "Give it a double, or declare it `bool d;`"),
@@ -378,6 +385,10 @@ def test_hints(text: str, hint: str) -> None:
         ("while 1 { fire; }", "while true { fire; }"),
         ("entity e; print e == 0;", "entity e; print e == null;"),
         ("print -true;", "print !true;"),
+        (
+            "print !getx self > sqrt(4) && !self\n!= (null);",
+            "print !(getx self > sqrt(4)) && !(self\n!= (null));",
+        ),
     ],
 )
 def test_safe_fixes_are_offered(before: str, after: str) -> None:
