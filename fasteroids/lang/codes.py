@@ -213,8 +213,11 @@ SYNTAX: Final[dict[str, Code]] = {
         right="double a; double b;",
     ),
     "FA026": _syntax(
-        "An action that takes nothing is given something",
-        why="Of the actions only `turn` takes an expression.",
+        "A word that takes nothing is given something",
+        why=(
+            "Of the actions only `turn` takes an expression. `getdir` takes no entity: a ship knows "
+            "only its own direction."
+        ),
         wrong="fire();",
         right="fire;",
     ),
@@ -245,7 +248,11 @@ SYNTAX: Final[dict[str, Code]] = {
         "A function the language has not",
         why=(
             "The functions are `sqrt`, `sin` and `cos`, and those of entities `getx`, `gety`, "
-            "`getvx`, `getvy` and `getradius`."
+            "`getvx`, `getvy` and `getradius`. Some others are a line: the absolute value of x is "
+            "`sqrt(x * x)`, its tangent `sin(x) / cos(x)`, and x rounded down `x - x % 1`. An angle is "
+            "found by halving: with x in front and y to the left, it is between 0 and pi if y is "
+            "above 0, and else between -pi and 0; try the middle, a, and it is larger where "
+            "`cos(a) * y - sin(a) * x` is above 0, else smaller. The shipped program `turret` does so."
         ),
         wrong="turn abs(1);",
         right="turn sqrt(1 * 1);",

@@ -23,6 +23,9 @@ _LONE: Final = frozenset(
     {*words.BINARY, "++", "=", "=!", ":", ":=", "?", MEMBER, *foreign.SHORTHANDS}
 ) - {"-"}
 _FUNCTIONS: Final = (*words.GETTERS, *words.CALLS)
+_FUNCTIONS_HINT: Final = (
+    "Functions are `sqrt`, `sin` and `cos`; those of entities are `getx` and its like"
+)
 
 
 class Guesses(Cursor, ABC):
@@ -339,6 +342,8 @@ class Guesses(Cursor, ABC):
 
     def two_in_a_row(self, first: int, left: Expression, depth: int) -> Expression:
         """Two expressions with nothing between them."""
+        if self.kinds[self.at - 1] == "getdir":
+            return self.direction_of(first, left, depth)
         if isinstance(left, Name) and first + 1 == self.at:
             word = left.name
             if word in foreign.PREFIX:
@@ -357,6 +362,26 @@ class Guesses(Cursor, ABC):
         self.row = self.at
         return gap
 
+    def direction_of(self, first: int, left: Expression, depth: int) -> Expression:
+        """`getdir()`, `getdir self`, `getdir e`: what is given to it is left out if it cannot mean another ship."""
+        start = self.at
+        end = self.closing(start) if self.kinds[start] == "(" else start
+        given = [] if end is None else self.texts[start : end + 1]
+        if "".join(given) in ("()", "(self)", "self"):
+            whole = self.span(start, start + len(given) - 1)
+            fix = (Edit(self.tokens.gap(start - 1).to(whole), ""),)
+            self.report("FA026", "`getdir` takes nothing", whole, "Write `getdir`", fix=fix)
+            self.at = start + len(given)
+            return left
+        message = "`getdir` takes nothing: a ship knows only its own direction"
+        hint = "Where another one is going is told by `getvx` and `getvy`"
+        self.report("FA026", message, self.here(), hint)
+        if len(given) > 1:
+            self.at = start + len(given)
+            self.height = 1
+            return Missing(self.span(first, self.at - 1))
+        return self.after_gap(first, depth)
+
     def prefixed(self, first: int, meant: str, code: str, depth: int) -> Expression:
         """Read the name at `first` as the prefix operator or function `meant`."""
         word = self.texts[first]
@@ -373,8 +398,9 @@ class Guesses(Cursor, ABC):
 
     def unknown_function(self, first: int, depth: int) -> Expression:
         """`abs(x)`."""
-        message = f"There is no function {quoted(self.texts[first])}"
-        hint = "Functions are `sqrt`, `sin` and `cos`; those of entities are `getx` and its like"
+        word = self.texts[first]
+        message = f"There is no function {quoted(word)}"
+        hint = foreign.FUNCTIONS.get(word) or _FUNCTIONS_HINT
         self.report("FA030", message, self.span(first, first), hint)
         self.at += 1
         opened = self.at

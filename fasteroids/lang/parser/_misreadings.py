@@ -188,6 +188,8 @@ class Misreadings(Expressions, ABC):
             )
         same_line = self.same_line()
         self.at = first
+        if word in foreign.MODIFIERS and same_line and self.type_follows():
+            return self.modified(depth)
         if word in foreign.TYPES and behind in (NAME, BROKEN) and same_line:
             return self.foreign_declaration(depth)
         if word in foreign.ELSE_IFS:
@@ -331,6 +333,27 @@ class Misreadings(Expressions, ABC):
             )
         return Assignment(target, value, self.ended(first))
 
+    def type_follows(self) -> bool:
+        """Is the token behind the next a type, ours or another language's, before a name?"""
+        word, kind, after = (
+            self.texts[self.at + 1],
+            self.kinds[self.at + 1],
+            self.kinds[self.at + 2],
+        )
+        return kind in words.TYPES or (
+            after == NAME and (kind in words.KINDS or word in (*foreign.TYPES, *foreign.MODIFIERS))
+        )
+
+    def modified(self, depth: int) -> Statement | None:
+        """`const double x;`: read without the first word."""
+        first = self.at
+        fix = (Edit(self.here().to(self.tokens.gap(first)), ""),)
+        message = f"There is no {quoted(self.texts[first])}"
+        hint = "Leave it out: a declaration starts with its type"
+        self.report("FA022", message, self.here(), hint, fix=fix)
+        self.at = first + 1
+        return self.statement(depth)
+
     def foreign_declaration(self, depth: int) -> Statement | None:
         """`int x;`, `var x := 3;`, `ship s;`."""
         first = self.at
@@ -368,6 +391,10 @@ class Misreadings(Expressions, ABC):
         """The name that a declaration declares; None, and on to the next statement, if there is none."""
         at = self.at
         kind = self.kinds[at]
+        if kind == BROKEN and self.texts[at][0] == "[" and self.kinds[at + 1] == NAME:
+            # `double[3] a`, which was told.
+            self.at = at = at + 1
+            kind = NAME
         if kind in (NAME, BROKEN):
             self.at = at + 1
             return self.named(at)

@@ -14,6 +14,7 @@ __all__ = [
     "INFIX",
     "KINDS",
     "MEMBERS",
+    "MODIFIERS",
     "PREFIX",
     "SHORTHANDS",
     "SIGNS",
@@ -64,6 +65,14 @@ TYPES: Final = {
 }  # fmt: skip
 """Types, and words that open a declaration; None where none of ours stands for it."""
 
+MODIFIERS: Final = frozenset(
+    {
+        "auto", "const", "dim", "final", "global", "let", "local", "mut", "private", "public", "readonly",
+        "static", "val", "var",
+    }
+)  # fmt: skip
+"""Words before the type of a declaration, all without need here."""
+
 KINDS: Final = {
     "ships": "ship", "asteroids": "asteroid", "bullets": "bullet", "all": "any", "everything": "any",
     "entities": "any", "entity": "any", "rock": "asteroid", "rocks": "asteroid",
@@ -110,14 +119,32 @@ STATEMENTS: Final = {
 SYNONYMS: Final = {
     "shoot": "fire", "rotate": "turn", "println": "print", "echo": "print", "write": "print",
     "log": "print", "pass": "skip", "nop": "skip", "forall": "foreach",
+    "thrust_on": "thrust", "thruston": "thrust", "thrustOn": "thrust",
 }  # fmt: skip
-"""Words that open a statement elsewhere and have one of ours."""
+"""Words that open a statement elsewhere, or might here, and have one of ours."""
 
 
-FUNCTIONS: Final = frozenset(
-    {
-        "abs", "acos", "asin", "atan", "atan2", "ceil", "distance", "exp", "floor", "fabs", "log",
-        "max", "min", "mod", "pow", "rand", "random", "round", "sign", "sqr", "tan",
-    }
-)  # fmt: skip
-"""Functions that are not misspelt but missing."""
+_ANGLE: Final = "There is no inverse of `sin` and `cos`: an angle is found by halving; see `fasteroids explain FA030`"
+_LENGTH: Final = "A length is `sqrt(x * x + y * y)`"
+_LARGER: Final = "Take one, and in an `if` the other: `if (b > a) { a := b; }`"
+_DICE: Final = (
+    "There are no dice; `seed := seed * 16807 % 2147483647;` makes whole numbers that look random"
+)
+
+FUNCTIONS: Final[dict[str, str | None]] = {
+    "abs": "The absolute value of `x` is `sqrt(x * x)`",
+    "fabs": "The absolute value of `x` is `sqrt(x * x)`",
+    "acos": _ANGLE, "asin": _ANGLE, "atan": _ANGLE, "atan2": _ANGLE,
+    "tan": "The tangent of `x` is `sin(x) / cos(x)`",
+    "distance": _LENGTH, "hypot": _LENGTH,
+    "max": _LARGER, "min": "Take one, and in an `if` the other: `if (b < a) { a := b; }`",
+    "floor": "`x` rounded down is `x - x % 1`",
+    "ceil": "`x` rounded up is `x + -x % 1`",
+    "round": "`x` rounded down is `x - x % 1`; add 0.5 first for the nearest",
+    "mod": "The remainder is `x % y`",
+    "pow": "There is no power: multiply, as in `x * x`",
+    "sqr": "The square of `x` is `x * x`",
+    "rand": _DICE, "random": _DICE,
+    "exp": None, "log": None, "sign": None,
+}  # fmt: skip
+"""Functions that are not misspelt but missing, each with the way to do without where that is short."""

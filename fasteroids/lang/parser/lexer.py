@@ -13,7 +13,7 @@ from itertools import islice
 from math import inf
 from typing import Final
 
-from attrs import define, field
+from attrs import define, evolve, field
 
 from fasteroids.lang import words
 from fasteroids.lang.diagnostics import Diagnostic, Edit
@@ -49,6 +49,8 @@ _LINE = "\n"
 _FAULT = "a fault"
 
 _LINE_END = re.compile(r"\r\n?|\n")
+_INDEX = r"(?!//)[^\[\]{}\r\n;]"
+"""A character that may stand in an index or a list of another language."""
 _UNSEEN = "\x0b\x0c\x1c-\x1f\x85\xa0\xad\u1680\u2000-\u200f\u2028-\u202f\u205f-\u2064\u3000\ufeff"
 _LEFT_TO_PARSER = ("=", ":", "=!", "++", "?", *foreign.SHORTHANDS)
 _SIGNS = sorted({*words.SIGNS, *foreign.SIGNS, *_LEFT_TO_PARSER}, key=len, reverse=True)
@@ -76,6 +78,7 @@ _PIECE = re.compile(
             r"'[^'\r\n]*'",
             r"“[^“”\r\n]*”?",
             r"#[^\r\n]*",
+            rf"\[(?:{_INDEX}|\[(?:{_INDEX})*\])*\]",
             r"\ufffd+",
             f"[{_UNSEEN}]+",
             f"[^{_ODD}]+(?:[ \\t]+[^{_ODD}]+)*",
@@ -180,6 +183,8 @@ def tokens(text: str) -> tuple[Tokens, list[Diagnostic]]:
                 below = line + len(over) - 1
                 last = end if below == line else len(over[-1]) + 1
                 kind, meant, fault = _fault(piece, Span(line, column, below, last))
+                if piece[0] == "." and texts and (rows[-1], ends[-1]) == (line, column):
+                    fault = _parted(fault, texts[-1])
                 faults.append(fault)
                 if kind:
                     found.add(kind, meant, line, column, end)
@@ -242,14 +247,19 @@ def _fault(piece: str, span: Span) -> tuple[str, str, Diagnostic]:
         message = f"{_described(first)} is no white space in this language"
         return "", "", Diagnostic("FA001", message, span, "Use blanks", fix=fix)
     message = f"{_described(piece)} is no part of the language"
-    return BROKEN, piece, Diagnostic("FA001", message, span, _HINTS.get(piece))
+    return (
+        BROKEN,
+        piece,
+        Diagnostic("FA001", message, span, _HINTS.get(first if first in "[]" else piece)),
+    )
 
 
+_NO_LISTS: Final = "There are no lists: each thing is a variable, and `foreach (asteroid, a) { … }` visits entities"
 _HINTS: Final = {
     "**": "There is no power: multiply, as in `x * x`",
     "^": "There is no power: multiply, as in `x * x`",
-    "[": "There are no lists: visit entities with `foreach (asteroid, a) { … }`",
-    "]": "There are no lists: visit entities with `foreach (asteroid, a) { … }`",
+    "[": _NO_LISTS,
+    "]": _NO_LISTS,
     "~": "Not is `!`",
     "*/": "A comment starts with `//` and ends with its line",
     ".": "A point stands only between the digits of a number, as in `0.5`",
@@ -275,6 +285,13 @@ def _number(piece: str, span: Span) -> tuple[str, str, Diagnostic]:
     message = f"A number is digits, or digits, a point and digits: not {quoted(piece)}"
     fix = (Edit(span, meant),)
     return NUMBER, meant, Diagnostic("FA003", message, span, f"Write `{meant}`", fix=fix)
+
+
+def _parted(fault: Diagnostic, before: str) -> Diagnostic:
+    """`turn.5`: without a blank before its fix, 0.5 would become a part of the word that it touches."""
+    if not (before[-1].isalnum() or before[-1] == "_"):
+        return fault
+    return evolve(fault, fix=tuple(Edit(edit.span, f" {edit.text}") for edit in fault.fix))
 
 
 def _digits(value: float) -> str | None:

@@ -44,7 +44,7 @@ def test_a_code_is_told_in_plain_words(name: str) -> None:
     code = CODES[name]
     assert re.fullmatch("FA[0-9]{3}", name)
     assert code.phase == PHASES[name[2]]
-    assert code.title
+    assert code.title[0] == "`" or code.title[0].isupper()
     assert not code.title.endswith(".")
     assert code.why.endswith((".", ")"))
     assert code.wrong == code.wrong.strip()

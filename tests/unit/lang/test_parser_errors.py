@@ -178,13 +178,21 @@ MENDED = {
     "double a,b;": "double a; double b;",
     "double a := 1, b := 2;": "double a := 1; double b := 2;",
     "double a, double b;": "double a; double b;",
+    "const double x := 1;": "double x := 1;",
+    "let  entity e;": "entity e;",
     "fire();": "fire;",
     "fire(1, 2);": "fire;",
+    "thrust_on;": "thrust;",
+    "x := getdir();": "x := getdir;",
+    "x := sin(-getdir (self)) + 1;": "x := sin(-getdir) + 1;",
+    "turn 1 - getdir self * 2;": "turn 1 - getdir * 2;",
     "thrust off;": "thrust_off;",
     "thrust on;": "thrust;",
     # numbers, comments, odd characters
     "x := 1,5;": "x := 1.5;",
     "x := .5;": "x := 0.5;",
+    "turn.5;": "turn 0.5;",
+    "x:=.5;": "x:=0.5;",
     "x := + 5;": "x :=  5;",
     "# foo\nfire;": "// foo\nfire;",
     "/* a */ fire;": "// a\n fire;",
@@ -257,6 +265,9 @@ TOLD = {
     "foreach () { }": ("FA024", (10, 10), "kind"),
     "foreach { fire; }": ("FA024", (8, 8), "kind"),
     "thrust 5;": ("FA026", (8, 9), "takes nothing"),
+    "x := getdir a + 1;": ("FA026", (13, 14), "its own direction"),
+    "x := getdir (a);": ("FA026", (13, 14), "its own direction"),
+    "x := getdir(self, a);": ("FA026", (12, 13), "its own direction"),
     "print a, b;": ("FA027", (8, 9), "one value"),
     "x := getx(self, a);": ("FA027", (15, 16), "too many"),
     "x := sqrt(1, 2);": ("FA027", (12, 13), "too many"),
@@ -270,6 +281,13 @@ TOLD = {
     "x := y := z := 3;": ("FA034", (8, 10), "no value"),
     'print "hi";': ("FA005", (7, 11), "quotes"),
     "@@@ fire;": ("FA001", (1, 4), "`@@@`"),
+    "entity[] a;": ("FA001", (7, 9), "`[]`"),
+    "double[3] a := 1;": ("FA001", (7, 10), "`[3]`"),
+    "double a[3];": ("FA001", (9, 12), "`[3]`"),
+    "x := a[i + 1];": ("FA001", (7, 14), "`[i + 1]`"),
+    "a[b[0]] := 3;": ("FA001", (2, 8), "`[b[0]]`"),
+    "x := [1, 2];": ("FA001", (6, 12), "`[1, 2]`"),
+    "x := a[0; fire;": ("FA001", (7, 8), "`[`"),
     "fire @;": ("FA001", (6, 7), "`@`"),
     "x := a @ b;": ("FA001", (8, 9), "`@`"),
     "x := a ** b;": ("FA001", (8, 10), "`**`"),
@@ -334,6 +352,30 @@ def test_bodies_of_constructs_the_language_has_not_are_read() -> None:
         assert isinstance(body, If | While), head
         block = body.then if isinstance(body, If) else body.body
         assert block.statements == (Act("fire"), Assignment(Name("x"), Number(2.0))), head
+
+
+@pytest.mark.parametrize(
+    ("text", "hint"),
+    [
+        ("x := atan2(y, z);", "halving; see `fasteroids explain FA030`"),
+        ("x := abs(y);", "`sqrt(x * x)`"),
+        ("x := max(y, z);", "`if (b > a) { a := b; }`"),
+        ("x := log(y);", "Functions are `sqrt`, `sin` and `cos`"),
+        ("entity[] a;", "There are no lists"),
+        ("double a[1];", "There are no lists"),
+        ("static const int i;", "a declaration starts with its type"),
+        ("var ship s;", "a declaration starts with its type"),
+    ],
+)
+def test_a_hint_says_how_to_do_without(text: str, hint: str) -> None:
+    assert hint in (parse_program(text).diagnostics[0].hint or "")
+
+
+def test_words_before_a_type_are_left_out() -> None:
+    for text in ("const int i := 1;", "static final number i := 1;", "let double i := 1;"):
+        parsed = parse_program(text)
+        assert parsed.tree.body.statements == (Declaration("double", Name("i"), Number(1.0)),)
+        assert mended(text, *parsed.diagnostics) == "double i := 1;"
 
 
 # What is in the tree where something is missing.
