@@ -8,9 +8,12 @@ from collections.abc import Callable, Iterable, Sequence
 from itertools import accumulate
 from typing import Final
 
+from attrs import evolve
+
 from fasteroids.lang.checker import complaints
 from fasteroids.lang.diagnostics import Diagnostic
 from fasteroids.lang.parser import Parsed, parse_bytes, parse_program
+from fasteroids.lang.source import Span
 
 __all__ = ["diagnose", "diagnose_bytes", "diagnosed", "mended", "mended_throughout"]
 
@@ -23,7 +26,8 @@ _MOST_ROUNDS: Final = 20
 def diagnose(text: str) -> tuple[Diagnostic, ...]:
     """Every syntax error and every type error of a program, by place. Never raises.
 
-    A type error in a piece that a syntax error is about is left out: it may be a mere consequence.
+    A type error in a piece that a syntax error is about is left out: it may be a mere consequence. Its fix is left out
+    if it would change such a piece: there the text is not what the tree says.
     """
     return diagnosed(parse_program(text))
 
@@ -40,15 +44,23 @@ def diagnosed(parsed: Parsed) -> tuple[Diagnostic, ...]:
 
 
 def _joined(first: Iterable[Diagnostic], others: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
-    """Both by place, without those of the others that lie in a piece one of the first is about."""
+    """Both by place, without what the others say of, or would change in, a piece that one of the first is about."""
     kept = [*first]
     told = sorted(each.span for each in kept)
     reach = [*accumulate((span.end for span in told), max)]
     for each in others:
         before = bisect_right(told, each.span.start, key=lambda span: span.start)
         if not (before and each.span.end <= reach[before - 1]):
+            if any(_touched(told, reach, edit.span) for edit in each.fix):
+                each = evolve(each, fix=())
             kept.append(each)
     return tuple(sorted(kept, key=lambda each: each.span))
+
+
+def _touched(told: Sequence[Span], reach: Sequence[tuple[int, int]], span: Span) -> bool:
+    """Does a piece share characters with one of those told, or lie inside one? They are in order of their starts."""
+    before = bisect_left(told, span.end, key=lambda each: each.start)
+    return before > 0 and reach[before - 1] > span.start
 
 
 def mended(text: str, diagnostics: Iterable[Diagnostic]) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from bisect import bisect_right
 
 from hypothesis import given
@@ -139,20 +140,17 @@ def test_a_renamed_program_is_the_same_up_to_the_name(
         assert not diagnose(after)
 
 
-def _moved(edits: tuple[object, ...], place: Place) -> Place:
+def _moved(edits: tuple[Edit, ...], place: Place) -> Place:
     """Where a place is after the edits before it in its line."""
     line, column = place
     for each in edits:
-        span, new = each.span, each.text  # type: ignore[attr-defined]
-        if span.line == line and span.start < place:
-            column += len(new) - (span.end_column - span.column)
+        if each.span.line == line and each.span.start < place:
+            column += len(each.text) - (each.span.end_column - each.span.column)
     return line, column
 
 
 def _words(text: str, name: str, new: str) -> str:
     """A text with a whole word replaced, the plain way: what a rename should come to where there are no comments."""
-    import re
-
     return re.sub(rf"(?<![\w.]){re.escape(name)}(?!\w)", new, text)
 
 

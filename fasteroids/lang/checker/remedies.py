@@ -74,8 +74,7 @@ def negated_side(node: Node, types: Mapping[str, Type]) -> syntax.Unary | None:
 def for_negated_side(node: Node, side: syntax.Unary) -> Remedy:
     """For the `!a` that `negated_side` finds in `!a < b`."""
     assert isinstance(node, syntax.Binary)
-    line, column = side.span.start
-    opened, closed = Span(line, column + 1, line, column + 1), node.span.after()
+    opened, closed = Span(*side.operand.span.start, *side.operand.span.start), node.span.after()
     meant = f"{_text(side.operand)} {node.operator} {_text(node.right)}"
     hint = f"`!` binds more strongly than `{node.operator}`: write `!({meant})`"
     return hint, (Edit(opened, "("), Edit(closed, ")"))

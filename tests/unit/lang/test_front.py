@@ -30,6 +30,32 @@ def test_syntax_and_type_errors_come_together_by_place() -> None:
     assert [each.code[2] for each in found] == ["1", "0", "1", "0", "1"]
 
 
+@pytest.mark.parametrize(
+    ("text", "codes", "after"),
+    [
+        ("ship d; d := 1; turn d;", ["FA022", "FA110"], "entity d; d := 1; turn d;"),
+        ("print minus true;", ["FA009", "FA105"], "print - true;"),
+        ("int e; e := null; print e == self;", ["FA022", "FA110"], "double e; e := null; print e == self;"),
+    ],
+)  # fmt: skip
+def test_a_type_error_has_no_fix_where_the_text_is_not_what_the_tree_says(
+    text: str, codes: list[str], after: str
+) -> None:
+    found = diagnose(text)
+    assert [each.code for each in found] == codes
+    assert [each.code for each in found if not each.fix] == codes[1:2]
+    assert mended(text, found) == after
+    assert any(each.fix for each in diagnose(after))
+
+
+def test_a_type_error_beside_a_syntax_error_keeps_its_fix() -> None:
+    text = "print not getx self > 3;"
+    syntax, other = diagnose(text)
+    assert mended(text, [other]) == "print not (getx self > 3);"
+    assert mended(text, [syntax, other]) == "print ! (getx self > 3);"
+    assert mended("x = 1;", diagnose("x = 1;")) == "double x;\nx := 1;"
+
+
 def test_a_program_without_faults_has_none() -> None:
     assert diagnose("") == ()
     assert diagnose("turn 1;") == ()
