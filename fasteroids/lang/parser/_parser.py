@@ -12,15 +12,15 @@ lone semicolons; `skip` without one; `%` and unary `-`; comments.
 
 from __future__ import annotations
 
-from bisect import bisect_left, insort
 from collections.abc import Callable
 from typing import Final
 
-from attrs import evolve, frozen
+from attrs import frozen
 
 from fasteroids.lang import words
 from fasteroids.lang.diagnostics import Diagnostic
 from fasteroids.lang.parser._braces import balance
+from fasteroids.lang.parser._fixes import in_order
 from fasteroids.lang.parser._heads import Heads
 from fasteroids.lang.parser.lexer import END, NAME, decoded, tokens
 from fasteroids.lang.source import NOWHERE, Span
@@ -68,7 +68,7 @@ def parse_program(text: str) -> Parsed:
     found, unclosed = balance(found, text)
     parser = _Parser(found, faults + unclosed)
     tree = Program(parser.program(), text)
-    return Parsed(tree, _in_order(parser.faults))
+    return Parsed(tree, in_order(parser.faults, text))
 
 
 def parse_bytes(data: bytes) -> Parsed:
@@ -78,34 +78,7 @@ def parse_bytes(data: bytes) -> Parsed:
     if not undecodable:
         return parsed
     others = [fault for fault in parsed.diagnostics if fault.code != "FA002"]
-    return Parsed(parsed.tree, _in_order([*undecodable, *others]))
-
-
-def _in_order(faults: list[Diagnostic]) -> tuple[Diagnostic, ...]:
-    """The faults by place. Of two fixes that would change the same piece the first in the text stays."""
-    if not faults:
-        return ()
-    taken: list[tuple[tuple[int, int], tuple[int, int]]] = []
-    kept = []
-    for fault in sorted(faults, key=lambda fault: fault.span):
-        pieces = [(edit.span.start, edit.span.end) for edit in fault.fix]
-        if all(_free(taken, *piece) for piece in pieces):
-            for piece in pieces:
-                insort(taken, piece)
-        else:
-            fault = evolve(fault, fix=())
-        kept.append(fault)
-    return tuple(kept)
-
-
-def _free(
-    taken: list[tuple[tuple[int, int], tuple[int, int]]],
-    start: tuple[int, int],
-    end: tuple[int, int],
-) -> bool:
-    """Is a piece beside all those taken, which are in order and beside each other?"""
-    i = bisect_left(taken, (start, start))
-    return (i == 0 or taken[i - 1][1] <= start) and (i == len(taken) or end <= taken[i][0])
+    return Parsed(parsed.tree, in_order([*undecodable, *others], text))
 
 
 class _Parser(Heads):

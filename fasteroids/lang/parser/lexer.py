@@ -13,7 +13,7 @@ from itertools import islice
 from math import inf
 from typing import Final
 
-from attrs import define, evolve, field
+from attrs import define, field
 
 from fasteroids.lang import words
 from fasteroids.lang.diagnostics import Diagnostic, Edit
@@ -183,8 +183,6 @@ def tokens(text: str) -> tuple[Tokens, list[Diagnostic]]:
                 below = line + len(over) - 1
                 last = end if below == line else len(over[-1]) + 1
                 kind, meant, fault = _fault(piece, Span(line, column, below, last))
-                if piece[0] == "." and texts and (rows[-1], ends[-1]) == (line, column):
-                    fault = _parted(fault, texts[-1])
                 faults.append(fault)
                 if kind:
                     found.add(kind, meant, line, column, end)
@@ -285,13 +283,6 @@ def _number(piece: str, span: Span) -> tuple[str, str, Diagnostic]:
     message = f"A number is digits, or digits, a point and digits: not {quoted(piece)}"
     fix = (Edit(span, meant),)
     return NUMBER, meant, Diagnostic("FA003", message, span, f"Write `{meant}`", fix=fix)
-
-
-def _parted(fault: Diagnostic, before: str) -> Diagnostic:
-    """`turn.5`: without a blank before its fix, 0.5 would become a part of the word that it touches."""
-    if not (before[-1].isalnum() or before[-1] == "_"):
-        return fault
-    return evolve(fault, fix=tuple(Edit(edit.span, f" {edit.text}") for edit in fault.fix))
 
 
 def _digits(value: float) -> str | None:

@@ -192,6 +192,8 @@ MENDED = {
     "x := 1,5;": "x := 1.5;",
     "x := .5;": "x := 0.5;",
     "turn.5;": "turn 0.5;",
+    "turn+1;": "turn 1;",
+    "print+x;": "print x;",
     "x:=.5;": "x:=0.5;",
     "x := + 5;": "x :=  5;",
     "# foo\nfire;": "// foo\nfire;",

@@ -152,6 +152,16 @@ def test_all_fixes_at_once_never_clash(text: str) -> None:
         assert one.end <= other.start
 
 
+@given(any_text)
+def test_no_fix_makes_one_word_of_two(text: str) -> None:
+    for edit in (edit for fault in parsed(text).diagnostics for edit in fault.fix):
+        start, end = offset(text, *edit.span.start), offset(text, *edit.span.end)
+        after = mended(text, (edit,))
+        for seam, was in ((start, start), (start + len(edit.text), end)):
+            if re.fullmatch(r"\w\w", after[max(seam - 1, 0) : seam + 1]):
+                assert re.fullmatch(r"\w\w", text[was - 1 : was + 1]), edit
+
+
 @given(mutated(GOOD, most=1))
 def test_the_fix_of_a_single_slip_leaves_no_more_errors(text: str) -> None:
     faults = parsed(text).diagnostics
