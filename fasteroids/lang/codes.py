@@ -436,7 +436,7 @@ LINT: Final[dict[str, Code]] = {
     "FA207": Code(
         "lint",
         "Doubles compared for equality",
-        "Doubles that are worked out on two ways, or measured, seldom agree to the last of their 53 bits: 0.1 + 0.2 is "
+        "Doubles that are worked out in two ways, or measured, seldom agree to the last of their 53 bits: 0.1 + 0.2 is "
         "not 0.3. Ask which is greater, or whether they are close. Variables that only count, in whole numbers, are "
         "exact; about them there is no warning.",
         "if (getx self == 100) {\n  fire;\n}",
