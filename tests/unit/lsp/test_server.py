@@ -299,3 +299,43 @@ async def test_a_long_text_is_looked_at_once_the_typing_stops(client: LanguageCl
     uri = "file:///longer.ast"
     found = await opened(client, "turn 0;\n" * 10_000 + "turn a;", uri)
     assert [each.code for each in found] == ["FA101"]
+
+
+async def test_a_long_text_that_is_closed_before_that_is_looked_at_no_more(
+    client: LanguageClient,
+) -> None:
+    uri = "file:///closed.ast"
+    waited = told(client)
+    item = types.TextDocumentItem(uri, "fasteroids", next(_versions), "turn 0;\n" * 10_000 + "turn")
+    client.text_document_did_open(types.DidOpenTextDocumentParams(item))
+    document = types.TextDocumentIdentifier(uri)
+    client.text_document_did_close(types.DidCloseTextDocumentParams(document))
+    assert not (await asyncio.wait_for(waited, 30)).diagnostics
+    with pytest.raises(TimeoutError):
+        await asyncio.wait_for(told(client), 1)
+
+
+async def test_two_texts_are_kept_apart_and_one_opened_anew_is_another(
+    client: LanguageClient,
+) -> None:
+    one, other = "file:///one.ast", "file:///other.ast"
+    assert await opened(client, "entity a; print getx a + a;", one)
+    assert not await opened(client, "double a; a := getdir; turn a;", other)
+
+    async def shown(uri: str) -> str | None:
+        place = types.Position(0, 7)
+        document = types.TextDocumentIdentifier(uri)
+        found = await client.text_document_hover_async(types.HoverParams(document, place))
+        if found is None:
+            return None
+        assert isinstance(found.contents, types.MarkupContent)
+        return found.contents.value.splitlines()[1]
+
+    assert (await shown(one), await shown(other)) == ("entity a", "double a")
+    closed = types.DidCloseTextDocumentParams(types.TextDocumentIdentifier(one))
+    waited = told(client)
+    client.text_document_did_close(closed)
+    await asyncio.wait_for(waited, 30)
+    assert (await shown(one), await shown(other)) == (None, "double a")
+    assert not await opened(client, "bool   a; a := true; print a;", one)
+    assert (await shown(one), await shown(other)) == ("bool a", "double a")
