@@ -11,11 +11,18 @@ from typing import Final
 from attrs import evolve
 
 from fasteroids.lang.checker import complaints
-from fasteroids.lang.diagnostics import Diagnostic
+from fasteroids.lang.diagnostics import Diagnostic, Edit
 from fasteroids.lang.parser import Parsed, parse_bytes, parse_program
 from fasteroids.lang.source import Span
 
-__all__ = ["diagnose", "diagnose_bytes", "diagnosed", "mended", "mended_throughout"]
+__all__ = [
+    "diagnose",
+    "diagnose_bytes",
+    "diagnosed",
+    "line_end",
+    "mended",
+    "mended_throughout",
+]
 
 _LINE_END: Final = re.compile(r"\r\n?|\n")
 
@@ -27,7 +34,7 @@ def diagnose(text: str) -> tuple[Diagnostic, ...]:
     """Every syntax error and every type error of a program, by place. Never raises.
 
     A type error in a piece that a syntax error is about is left out: it may be a mere consequence. Its fix is left out
-    if it would change such a piece: there the text is not what the tree says.
+    if it would change such a piece: there the text is not what the tree says. Fixes have the line ends of the text.
     """
     return diagnosed(parse_program(text))
 
@@ -40,7 +47,24 @@ def diagnose_bytes(data: bytes) -> tuple[str, tuple[Diagnostic, ...]]:
 
 def diagnosed(parsed: Parsed) -> tuple[Diagnostic, ...]:
     """What `diagnose` finds in a text, of one that was read already."""
-    return _joined(parsed.diagnostics, complaints(parsed.tree))
+    found = _joined(parsed.diagnostics, complaints(parsed.tree))
+    end = line_end(parsed.tree.source)
+    return found if end == "\n" else tuple(_ending(each, end) for each in found)
+
+
+def line_end(text: str) -> str:
+    """The first line end of a text, which new lines in it should have too: LF, CRLF or CR; LF if it has none."""
+    first = _LINE_END.search(text)
+    return first[0] if first else "\n"
+
+
+def _ending(fault: Diagnostic, end: str) -> Diagnostic:
+    """A fault whose fix has these line ends, not LF."""
+    if not any("\n" in edit.text for edit in fault.fix):
+        return fault
+    return evolve(
+        fault, fix=tuple(Edit(edit.span, edit.text.replace("\n", end)) for edit in fault.fix)
+    )
 
 
 def _joined(first: Iterable[Diagnostic], others: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:

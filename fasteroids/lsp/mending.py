@@ -10,14 +10,13 @@ from attrs import frozen
 
 from fasteroids.lang.diagnostics import Diagnostic, Edit
 from fasteroids.lang.formatter import laid_out
-from fasteroids.lang.front import mended, mended_throughout
+from fasteroids.lang.front import line_end, mended, mended_throughout
 from fasteroids.lang.source import Span
 from fasteroids.lsp.reading import Reading, faults
 
 __all__ = ["Fix", "changed", "fix_all", "fixes", "formatting", "put_in"]
 
 _LINE: Final = re.compile(r"[^\r\n]*(?:\r\n?|\n)|[^\r\n]+")
-_LINE_END: Final = re.compile(r"\r\n?|\n")
 
 
 @frozen
@@ -56,11 +55,7 @@ def formatting(reading: Reading) -> tuple[Edit, ...]:
     program = reading.parsed.program
     if program is None:
         return ()
-    after = laid_out(program)
-    first = _LINE_END.search(reading.text)
-    if first is not None and first[0] != "\n":
-        after = after.replace("\n", first[0])
-    return changed(reading, after)
+    return changed(reading, laid_out(program).replace("\n", line_end(reading.text)))
 
 
 def changed(reading: Reading, after: str) -> tuple[Edit, ...]:
@@ -82,6 +77,6 @@ def changed(reading: Reading, after: str) -> tuple[Edit, ...]:
 
 def _start(rows: list[str], index: int) -> tuple[int, int]:
     """Where a line starts, of lines with their ends; behind the last, where the text ends."""
-    if index < len(rows) or not rows or _LINE_END.search(rows[-1]):
+    if index < len(rows) or not rows or rows[-1].endswith(("\r", "\n")):
         return index + 1, 1
     return index, len(rows[-1]) + 1

@@ -56,6 +56,20 @@ def test_a_type_error_beside_a_syntax_error_keeps_its_fix() -> None:
     assert mended("x = 1;", diagnose("x = 1;")) == "double x;\nx := 1;"
 
 
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+@pytest.mark.parametrize(
+    ("lines", "after"),
+    [
+        (["d := 1;", "turn d;"], ["double d;", "d := 1;", "turn d;"]),
+        (["/* one */ fire;", ""], ["// one", " fire;", ""]),
+        (["if (true) {", "  fire;", ""], ["if (true) {", "  fire;", "}", ""]),
+    ],
+)
+def test_fixes_have_the_line_ends_of_the_text(lines: list[str], after: list[str], end: str) -> None:
+    text = end.join(lines)
+    assert mended(text, diagnose(text)) == end.join(after)
+
+
 def test_a_program_without_faults_has_none() -> None:
     assert diagnose("") == ()
     assert diagnose("turn 1;") == ()
