@@ -1,4 +1,4 @@
-"""What each word and sign of the language means, in one sentence: for editors and for the docs.
+"""What each word and sign of the language means, in one sentence: for editors.
 
 Units are those of the whole package: km, s, km/s, rad, angles counter-clockwise from the x-axis (assignment 1.8).
 """

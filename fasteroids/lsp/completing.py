@@ -60,6 +60,11 @@ _OPENS: Final = frozenset(
         "else",
     }
 )
+_GOES_ON: Final = frozenset(
+    {NUMBER, "(", "{", "!", "-", *words.CONSTANTS, *words.GETTERS, *words.CALLS}
+)
+"""What goes on with a statement, or a call, whose first word stands before it; names do too."""
+
 _BEFORE_STATEMENT: Final = (";", "{", "}", "skip")
 _ANY: Final[tuple[Type | None, ...]] = (*get_args(Type), None)
 
@@ -271,14 +276,21 @@ def _only_here(places: list[Span], span: Span) -> bool:
 def _word(reading: Reading, word: str, kind: Kind, span: Span) -> Completion:
     meaning = MEANINGS[word]
     snippet = SNIPPETS.get(word, word)
-    if snippet.endswith(";") and _semicolon_follows(reading, span):
-        snippet = snippet[:-1]
+    t = reading.tokens
+    behind = reading.last_before(span.end) + 1
+    if t.lines[behind] == span.end_line:
+        if _goes_on(reading, word, behind):
+            snippet = word
+        elif t.kinds[behind] == ";":
+            snippet = snippet.removesuffix(";")
     plain = word if _PLACEHOLDER.search(snippet) else snippet
     return Completion(word, kind, meaning.usage, meaning.sentence, span, plain, snippet)
 
 
-def _semicolon_follows(reading: Reading, span: Span) -> bool:
-    """Is the next token behind the cursor a `;` in the same line?"""
-    t = reading.tokens
-    index = reading.last_before(span.end) + 1
-    return t.kinds[index] == ";" and t.lines[index] == span.end_line
+def _goes_on(reading: Reading, word: str, behind: int) -> bool:
+    """Does the token behind a word go on with what the word starts, so that there is nothing to fill in?"""
+    kinds = reading.tokens.kinds
+    if kinds[behind] == NAME:
+        # `x :=` is a statement of its own, but for a type: `double x := 1;`.
+        return word in words.TYPES or kinds[behind + 1] != ":="
+    return kinds[behind] in _GOES_ON or (word == "else" and kinds[behind] == "if")

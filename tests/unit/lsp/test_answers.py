@@ -189,6 +189,33 @@ def test_completion_does_not_double_a_semicolon() -> None:
     assert best("fi|\n;", "fire").plain == "fire;"
 
 
+@pytest.mark.parametrize(
+    ("text", "word"),
+    [
+        ("pri|nt x;", "print"),
+        ("turn| -1;", "turn"),
+        ("turn s|qrt(2);", "sqrt"),
+        ("turn sq| (2);", "sqrt"),
+        ("i| (a) { fire; }", "if"),
+        ("whi|le true { fire; }", "while"),
+        ("fore|ach (any, a) { }", "foreach"),
+        ("if (a) { } els| { }", "else"),
+        ("if (a) { } els| if (b) { }", "else"),
+        ("doub|le d;", "double"),
+        ("double| d := 1;", "double"),
+    ],
+)
+def test_completion_fills_nothing_in_that_is_there_already(text: str, word: str) -> None:
+    found = best(text, word)
+    assert (found.snippet, found.plain) == (word, word)
+
+
+@pytest.mark.parametrize("text", ["fi| x := 1;", "fi| // on", "fi| }", "fi| skip;", "fi|\n(1)"])
+def test_completion_ends_a_statement_before_another_one(text: str) -> None:
+    assert best(text, "fire").plain == "fire;"
+    assert best(text, "turn").snippet == "turn ${1:0.1};"
+
+
 @pytest.mark.parametrize("word", SNIPPETS)
 def test_a_snippet_filled_in_with_what_it_suggests_is_right(word: str) -> None:
     snippet = re.sub(r"\$\{[0-9]\|(\w+)[^}]*\}", r"\1", SNIPPETS[word])

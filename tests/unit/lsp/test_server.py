@@ -148,7 +148,7 @@ async def test_completion_offers_entities_behind_a_getter_and_snippets_for_state
     assert isinstance(found, list)
     assert [each.label for each in found] == ["a", "self"]
     found = await client.text_document_completion_async(
-        types.CompletionParams(DOCUMENT, place(PROGRAM, "turn", behind=2))
+        types.CompletionParams(DOCUMENT, place(PROGRAM, "turn"))
     )
     assert isinstance(found, list)
     turn = next(each for each in found if each.label == "turn")
