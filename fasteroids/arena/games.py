@@ -92,7 +92,7 @@ def play(world: World, *, limit: float = LIMIT) -> tuple[Ended, ...]:
         elif happened.died and end is None and _decided(ships, after):
             end = happened.time
     outcomes = _decided(ships, last) or ["timed out"] * len(ships)
-    time = (start + limit if end is None else end) - start
+    time = limit if end is None else end - start
     return tuple(
         Ended(outcome, time, fuel[ship], stopped[ship])
         for ship, outcome in zip(ships, outcomes, strict=True)
