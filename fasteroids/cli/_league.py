@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import shlex
 import shutil
+import string
 import textwrap
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
@@ -23,6 +25,7 @@ from fasteroids.arena import (
     wilson,
 )
 from fasteroids.cli._columns import aligned
+from fasteroids.cli._files import STDIO
 from fasteroids.cli._narrate import counted, number
 from fasteroids.cli._seeds import in_short
 from fasteroids.lang.report import legible
@@ -35,10 +38,13 @@ _ALONE: Final = ("cleared", "died", "timed out")
 _DUEL: Final = ("won", "lost", "drawn", "timed out")
 """The outcomes, in the order in which they are told."""
 
+_PLAIN: Final = frozenset(string.ascii_letters + string.digits + " ,./_-")
+"""What needs no escape in any quotes of a shell."""
+
 
 @frozen
 class League:
-    """An arena that is over: what was asked for, and how the games ended.
+    """An arena that is over: what was asked for, and how the games ended, at least one.
 
     `field` is the scene as it was given, `asked` the model that replaced its own, if any, `model` the one it had.
     """
@@ -55,7 +61,7 @@ class League:
     @property
     def alone(self) -> bool:
         """Is each program alone in the field?"""
-        return all(len(game.bots) == 1 for game in self.played)
+        return len(next(iter(self.played)).bots) == 1
 
 
 def told(league: League) -> Iterator[str]:
@@ -206,8 +212,19 @@ def _command(league: League, crew: tuple[str, ...]) -> str:
     game = next((g for g in games if not league.played[g][0].good), games[0])
     model = [] if league.asked is None else ["--model", league.asked]
     seed, limit = str(game.seed), repr(league.limit).removesuffix(".0")
-    words = ["run", league.field, "--seed", seed, "--bots", ",".join(crew), "--for", limit, *model]
-    return shlex.join(["fasteroids", *words])
+    field = league.field
+    if field.startswith("-") and field != STDIO:
+        field = f"./{field}"  # or it would be an option
+    words = ["run", field, "--seed", seed, "--bots", ",".join(crew), "--for", limit, *model]
+    return " ".join(["fasteroids", *map(_quoted, words)])
+
+
+def _quoted(word: str) -> str:
+    """A word for a shell, in which no terminal obeys anything: $'...' if it does not print (POSIX 2024, 2.2.4)."""
+    if word.isprintable():
+        return shlex.quote(word)
+    data = os.fsencode(word)
+    return "$'" + "".join(chr(b) if chr(b) in _PLAIN else f"\\x{b:02x}" for b in data) + "'"
 
 
 def _wrapped(text: str, hanging: int) -> list[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 import shlex
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -136,7 +136,40 @@ def test_long_lists_of_seeds_are_wrapped(columns: int, monkeypatch: pytest.Monke
 
 def test_names_obey_no_terminal() -> None:
     played = {Game(("a\x1b[2J.ast",), 0): (Ended("died", 1.0),)}
-    assert "\x1b" not in "\n".join(told(league(played, ("a\x1b[2J.ast",)))).rpartition("\n")[0]
+    assert "\x1b" not in "\n".join(told(league(played, ("a\x1b[2J.ast",))))
+
+
+@pytest.mark.parametrize(
+    ("field", "bot", "words"),
+    [
+        ("f.toml", "a\x1b[2J'é\\.ast", "f.toml --seed 0 --bots $'a\\x1b\\x5b2J\\x27\\xc3\\xa9\\x5c.ast'"),
+        ("-f.toml", "it's", "./-f.toml --seed 0 --bots 'it'\"'\"'s'"),
+        ("-", "日本.ast", "- --seed 0 --bots '日本.ast'"),
+    ],
+)  # fmt: skip
+def test_the_command_it_tells_is_one_for_a_shell(field: str, bot: str, words: str) -> None:
+    *_, last = told(league({Game((bot,), 0): (Ended("died", 1.0),)}, (bot,), field))
+    assert last == f"To see one: fasteroids run {words} --for 60"
+
+
+def test_telling_looks_at_each_game_no_more_often_in_large_leagues() -> None:
+    """Once it looked at all games for each one that stopped."""
+
+    class Counting(dict[Game, tuple[Ended, ...]]):
+        looks = 0
+
+        def __iter__(self) -> Iterator[Game]:
+            for game in super().__iter__():
+                self.looks += 1
+                yield game
+
+    def looks(games: int) -> float:
+        stopped = Ended("died", 1.0, 0, "line 1: turn nan")
+        played = Counting({Game(("a",), seed): (stopped,) for seed in range(games)})
+        list(told(league(played, ("a",))))
+        return played.looks / games
+
+    assert looks(300) <= looks(3)
 
 
 # The command.
@@ -209,7 +242,7 @@ def test_any_number_of_jobs_gives_the_same_bytes(
 
 def test_the_order_of_the_bots_changes_no_game(arena: Call) -> None:
     def games(bots: str) -> set[str]:
-        found = json.loads(arena("field-2013", "--bots", bots, *QUICK, "--json").stdout)
+        found = json.loads(arena("field-2013", "--bots", bots, *QUICK, "--fresh", "--json").stdout)
         return {json.dumps(game) for game in found["games"]}
 
     assert games("turret,spinner") == games("spinner,turret")
@@ -334,6 +367,12 @@ def test_bad_input_is_refused(arena: Call, tmp_path: Path, args: list[str], why:
     assert why in shown.stderr
     assert shown.stdout == ""
     assert not (tmp_path / "kept").exists()
+
+
+def test_games_are_not_kept_where_one_happens_to_be(call: Call) -> None:
+    shown = call("arena", "field-2013", "--bots", "turret", "--keep", "")
+    assert shown.exit_code == 2
+    assert "--keep must be a folder; got ''" in shown.stderr
 
 
 def test_one_file_by_two_names_is_refused(arena: Call, tmp_path: Path) -> None:

@@ -98,7 +98,9 @@ def test_ctrl_c_of_all_that_was_not_kept(spawn: Spawn, tmp_path: Path) -> None:
     process.send_signal(signal.SIGINT)
     _, said = process.communicate(timeout=PATIENCE)
     assert process.returncode == 130
-    assert said.splitlines()[-1].endswith(b" of 20,000 games are done; they were not kept")
+    assert said.splitlines()[-1].endswith(
+        b" of 20,000 games are done; what came after the warning is not kept"
+    )
     assert b"Traceback" not in said
 
 
