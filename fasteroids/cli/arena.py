@@ -85,7 +85,7 @@ def command(
     FIELD is a scene as for `fasteroids run`. If it has one ship, each program is alone with each seed; it is to leave
     no asteroid. If it has two, every two programs play one against the other, twice on each seed, with sides swapped.
     Games that are done are kept, so that after Ctrl-C the same command goes on, and a new program or seed does not
-    have the old ones played again. `fasteroids run FIELD --seed N --bots A` shows any of the games.
+    have the old ones played again. `fasteroids run FIELD --seed N --bots A --for 120` shows any of the games.
     """
     if keep == "":
         raise click.UsageError("--keep must be a folder; got ''")

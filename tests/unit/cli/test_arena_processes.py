@@ -66,12 +66,16 @@ def living(pid: int) -> bool:
         return False
 
 
-@pytest.mark.parametrize("jobs", ["1", "2"])
-def test_after_ctrl_c_the_same_command_goes_on(spawn: Spawn, tmp_path: Path, jobs: str) -> None:
+@pytest.mark.parametrize(
+    ("jobs", "press"), [("1", signal.SIGINT), ("2", signal.SIGINT), ("2", signal.SIGTERM)]
+)
+def test_after_ctrl_c_the_same_command_goes_on(
+    spawn: Spawn, tmp_path: Path, jobs: str, press: signal.Signals
+) -> None:
     kept = tmp_path / "kept"
     first = spawn(*MANY, "--jobs", jobs, "--keep", str(kept))
     until(first, lambda: len(lines(kept)) > 10)
-    first.send_signal(signal.SIGINT)
+    first.send_signal(press)
     told, said = first.communicate(timeout=PATIENCE)
     assert (first.returncode, told) == (130, b"")
     match = re.fullmatch(
