@@ -15,7 +15,6 @@ from typing import Any, Final
 from attrs import asdict, frozen
 
 from fasteroids.arena import (
-    Paired,
     Played,
     Standing,
     between,
@@ -139,20 +138,14 @@ def _pairs(league: League, bots: Sequence[str]) -> list[str]:
         title = "One against the other"
         rows = [("first", "second", "first won", "second won", "drawn", "timed out", "p")]
     for first, second in combinations(bots, 2):
-        one, other = between(first, second, league.played)
-        pair = paired(one, other)
-        if league.alone:
-            rest = (pair.both, pair.neither)
-        else:
-            games = standing(one.values())
-            rest = (games.drawn, games.timed_out)
-        counts = (f"{n:,}" for n in (pair.first, pair.second, *rest))
-        rows.append((legible(first), legible(second), *counts, _chance(pair)))
+        *counts, p = _pair(league, first, second).values()
+        numbers = (f"{n:,}" for n in counts)
+        rows.append((legible(first), legible(second), *numbers, _chance(p)))
     return [title, *aligned(rows, right=range(2, 7))]
 
 
-def _chance(pair: Paired) -> str:
-    return "< 1e-9" if pair.p < 1e-9 else f"{pair.p:.2g}"
+def _chance(p: float) -> str:
+    return "< 1e-9" if p < 1e-9 else f"{p:.2g}"
 
 
 # Programs that stopped.
@@ -263,6 +256,7 @@ def _standing(bot: str, each: Standing) -> dict[str, Any]:
 
 
 def _pair(league: League, first: str, second: str) -> dict[str, Any]:
+    """How often which of two was better, and `p`, in the order of the columns that tell it."""
     one, other = between(first, second, league.played)
     pair = paired(one, other)
     found: dict[str, Any] = {"only_first": pair.first, "only_second": pair.second}
