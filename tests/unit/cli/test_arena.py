@@ -252,6 +252,7 @@ def test_the_command_it_tells_shows_the_game(arena: Call, call: Call) -> None:
     shown = arena("field-2013", "--bots", "spinner", "--model", "robust", *QUICK)
     told = shown.stdout.splitlines()[-1].removeprefix("To see one: ")
     command = shlex.split(told)
+    assert command[-2:] == ["--model", "robust"]
     assert command[:2] == ["fasteroids", "run"]
     run = call(*command[1:], "--events", "-")
     died = [
@@ -265,6 +266,32 @@ def test_the_command_it_tells_shows_the_game(arena: Call, call: Call) -> None:
         game for game in found["games"] if str(game["seed"]) == command[command.index("--seed") + 1]
     ]
     assert [event["time"] for event in died] == [game["ended"][0]["time"]]
+
+
+def test_model_and_limit_reach_the_game(arena: Call, call: Call, tmp_path: Path) -> None:
+    """A ship that thrusts into an asteroid: when they meet differs with the rule of thrust."""
+    text = (
+        "[world]\nwidth = 900\nheight = 400\n[[ship]]\nx = 50\ny = 50\nradius = 10\nmass = 5e15\n"
+        "[[asteroid]]\nx = 600\ny = 50\nradius = 10\n"
+    )
+    field, bot = (
+        written(tmp_path / "f.toml", text),
+        written(tmp_path / "b.ast", "thrust; while (true) { skip; }"),
+    )
+    seen = {}
+    for model in ("robust", "smooth"):
+        asked = [field, "--bots", bot, "--model", model]
+        (died,) = [
+            event["time"]
+            for event in map(json.loads, call("run", *asked, "--events", "-").stdout.splitlines())
+            if 1 in event.get("died", [])
+        ]
+        for limit, outcome in ((died, "died"), (died - 0.1, "timed out")):
+            shown = arena(*asked, "--seeds", "0", "--for", repr(limit), "--json")
+            ((one,),) = (game["ended"] for game in json.loads(shown.stdout)["games"])
+            assert (one["outcome"], one["time"]) == (outcome, limit)
+        seen[model] = died
+    assert len({*seen.values()}) == 2
 
 
 def test_programs_that_stopped_are_named(arena: Call, tmp_path: Path) -> None:
@@ -321,12 +348,30 @@ def test_only_what_is_missing_is_played(
     assert games("turret", "2-6") == 3  # seeds added
     assert games("spinner,turret", "0-6") == 7  # a bot added
     assert games("turret", "0-6", "--model", "robust") == 7
+    assert games("turret", "0-6", "--for", "3") == 7
     assert games("turret", "0-6", "--fresh") == 7
     bot.write_text("while (true) { fire; }")
     assert games(f"turret,{bot}", "0-1") == 2
     bot.write_text("while (true) { turn 1; }")
     assert games(f"turret,{bot}", "0-1") == 2  # a bot changed
     assert games(f"turret,{bot}", "0-1") == 0
+
+
+def test_a_changed_field_of_the_same_name_is_played_anew(arena: Call, tmp_path: Path) -> None:
+    text = (
+        "[world]\nwidth = 900\nheight = 400\n[[ship]]\nx = 50\ny = 50\nradius = 10\nmass = 1e15\n"
+    )
+    place, bot = tmp_path / "f.toml", written(tmp_path / "b.ast", "skip;")
+
+    def ended(rock: str) -> tuple[str, float]:
+        place.write_text(f"{text}[[asteroid]]\n{rock}\ny = 50\nradius = 10\n")
+        shown = arena(str(place), "--bots", bot, "--seeds", "7", "--json")
+        ((one,),) = (game["ended"] for game in json.loads(shown.stdout)["games"])
+        return one["outcome"], one["time"]
+
+    assert ended("vx = -90\nx = 160") == ("died", 1.0)
+    assert ended("vx = -45\nx = 160") == ("died", 2.0)
+    assert ended("vx = -90\nx = 160") == ("died", 1.0)
 
 
 def test_a_folder_that_cannot_be_written_is_a_warning(call: Call, tmp_path: Path) -> None:

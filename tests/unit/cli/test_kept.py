@@ -112,6 +112,7 @@ def test_a_torn_last_line_is_dropped_and_the_next_one_is_whole(tmp_path: Path, c
         '{"seed": 3}', '{"seed": "3", "ended": []}', '{"seed": 3, "ended": []}', '{"seed": 3, "ended": [null]}',
         '{"seed": 3, "ended": [{"outcome": "eaten", "time": 1.0, "fuel": 0, "stopped": null}]}',
         '{"seed": 3, "ended": [{"outcome": "died", "time": NaN, "fuel": 0, "stopped": null}]}',
+        '{"seed": 3, "ended": [{"outcome": "died", "time": Infinity, "fuel": 0, "stopped": null}]}',
         '{"seed": 3, "ended": [{"outcome": "died", "time": -1.0, "fuel": 0, "stopped": null}]}',
         '{"seed": 3, "ended": [{"outcome": "died", "time": 1.0, "fuel": -1, "stopped": null}]}',
         '{"seed": 3, "ended": [{"outcome": "died", "time": 1.0, "fuel": 0, "stopped": 5}]}',
