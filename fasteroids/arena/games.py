@@ -49,7 +49,7 @@ class Ended:
 
 def crew(world: World) -> tuple[int, ...]:
     """The ids of the ships that play, in order. `ModelError` unless the field has one or two."""
-    ships = tuple(i for i, f in world.all_flights().items() if isinstance(f.entity, Ship))
+    ships = _ships(world)
     if len(ships) not in (1, 2):
         raise ModelError(
             f"a field has one ship, to clear it, or two, one against the other; this one has {len(ships)}"
@@ -62,7 +62,7 @@ def flown(world: World, programs: Sequence[Program]) -> World:
 
     `ModelError` unless there is one for each ship.
     """
-    ships = [i for i, f in world.all_flights().items() if isinstance(f.entity, Ship)]
+    ships = _ships(world)
     if len(ships) != len(programs):
         raise ModelError(f"each ship needs a program: {len(ships)} in all; got {len(programs)}")
     for ship, program in zip(ships, programs, strict=True):
@@ -92,11 +92,16 @@ def play(world: World, *, limit: float = LIMIT) -> tuple[Ended, ...]:
         elif happened.died and end is None and _decided(ships, after):
             end = happened.time
     outcomes = _decided(ships, last) or ["timed out"] * len(ships)
-    time = (start + limit if end is None else end) - start
+    time = limit if end is None else end - start
     return tuple(
         Ended(outcome, time, fuel[ship], stopped[ship])
         for ship, outcome in zip(ships, outcomes, strict=True)
     )
+
+
+def _ships(world: World) -> tuple[int, ...]:
+    """The ids of its ships, in order."""
+    return tuple(i for i, f in world.all_flights().items() if isinstance(f.entity, Ship))
 
 
 def _decided(ships: tuple[int, ...], world: World) -> Sequence[Outcome]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import stat
 import sys
+from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import IO
@@ -17,6 +18,7 @@ __all__ = [
     "STDIO",
     "Lines",
     "check_outputs",
+    "names_file",
     "read_limited",
     "read_named",
     "read_program",
@@ -73,12 +75,17 @@ def read_limited(file: IO[bytes], title: str, what: str) -> bytes:
     return data
 
 
+def names_file(place: Path) -> bool:
+    """Is there anything but a folder? A folder does not hide what comes with the package by the same name."""
+    return place.exists() and not place.is_dir()
+
+
 def read_named(name: str, folder: Path = Path()) -> bytes:
     """The bytes of a program by its name: of a file in a folder, else of one that comes with the package.
 
     `Refusal` says why they cannot be had.
     """
-    if not (folder / name).exists() and (text := shipped_programs().get(name)) is not None:
+    if not names_file(folder / name) and (text := shipped_programs().get(name)) is not None:
         return text.encode()
     return read_program(os.path.join(".", folder, name))  # noqa: PTH118 so that "-" is a file
 
@@ -95,7 +102,7 @@ def read_program(place: str) -> bytes:
         with Path(place).open("rb") as file:
             return read_limited(file, repr(place), "program")
     except OSError as error:
-        raise Refusal(f"cannot read {reason(error)}") from None
+        raise Refusal(f"cannot read {reason(error, place)}") from None
     except ValueError:  # a null character in a name
         raise Refusal(f"cannot read {place!r}: there is no such file") from None
 
@@ -103,12 +110,14 @@ def read_program(place: str) -> bytes:
 # Outputs.
 
 
-def check_outputs(scene: str, outputs: dict[str, str | None]) -> None:
+def check_outputs(scene: str, outputs: dict[str, str | None], programs: Sequence[str] = ()) -> None:
     """Refuse what cannot work, before anything is written. `outputs` are the values of options by their names.
 
-    Two outputs in one file, or on standard output; the scene's own file; folders, and places in none.
+    Two outputs in one file, or on standard output; the file of the scene or of one of the programs; folders, and
+    places in none.
     """
-    owners: dict[str, str] = {}
+    files = filter(os.path.isfile, programs)
+    owners = {os.path.realpath(file): "the program" for file in files}
     if scene != STDIO and Path(scene).is_file():
         owners[os.path.realpath(scene)] = "the scene"
     for option, value in outputs.items():

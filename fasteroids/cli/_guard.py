@@ -65,10 +65,14 @@ def guarded(command: Callable[[], Any]) -> int:
         return BUG
 
 
-def reason(error: OSError) -> str:
-    """The sentence for a file that cannot be read or written."""
+def reason(error: OSError, place: object = None) -> str:
+    """The sentence for a file that cannot be read or written.
+
+    `place` is what to call it where the error does not know: one of a file that was open already, as of a full disk.
+    """
     text = error.strerror or str(error)
-    return f"{error.filename!r}: {text}" if error.filename is not None else text
+    name = error.filename if error.filename is not None or place is None else str(place)
+    return f"{name!r}: {text}" if name is not None else text
 
 
 def mute() -> None:

@@ -1,9 +1,10 @@
-"""Ctrl-C at a good moment: at once while the engine computes, and only then."""
+"""Ctrl-C at a good moment: at once while the engine computes, and only then. SIGTERM (`kill`, `timeout`) is as good."""
 
 from __future__ import annotations
 
 import signal
 from collections.abc import Generator, Iterator
+from contextlib import suppress
 from types import FrameType, TracebackType
 from typing import Any, Generic, TypeVar
 
@@ -16,7 +17,7 @@ R = TypeVar("R")
 class Interruptible(Generic[T, R]):
     """An unfold that Ctrl-C ends between two of its items: what is done with an item is done to its end.
 
-    A context manager that takes SIGINT over, and an iterable. A second Ctrl-C raises wherever it comes.
+    A context manager that takes SIGINT and SIGTERM over, and an iterable. A second one raises wherever it comes.
     Afterwards `interrupted` says whether there was one, and `result` is what the unfold returned if not.
     """
 
@@ -27,11 +28,10 @@ class Interruptible(Generic[T, R]):
         self.result: R | None = None
 
     def __enter__(self) -> Interruptible[T, R]:
-        self._previous: Any = None
-        try:
-            self._previous = signal.signal(signal.SIGINT, self._on_signal)
-        except ValueError:  # not the main thread, where no signal arrives
-            self._previous = None
+        self._previous: dict[int, Any] = {}
+        with suppress(ValueError):  # not the main thread, where no signal arrives
+            self._previous[signal.SIGINT] = signal.signal(signal.SIGINT, self._on_signal)
+            self._previous[signal.SIGTERM] = signal.signal(signal.SIGTERM, _press)
         return self
 
     def __exit__(
@@ -40,8 +40,9 @@ class Interruptible(Generic[T, R]):
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        if self._previous is not None:
-            signal.signal(signal.SIGINT, self._previous)
+        for number, previous in self._previous.items():
+            if previous is not None:  # of another language than Python
+                signal.signal(number, previous)
 
     def _on_signal(self, _number: int, _frame: FrameType | None) -> None:
         again, self.interrupted = self.interrupted, True
@@ -66,3 +67,8 @@ class Interruptible(Generic[T, R]):
                 self._computing = False
                 raise
             yield item
+
+
+def _press(_number: int, _frame: FrameType | None) -> None:
+    """As Ctrl-C does, so that SIGTERM waits too where that is held back."""
+    signal.raise_signal(signal.SIGINT)

@@ -9,6 +9,7 @@ was killed. The folder may be deleted at any time.
 from __future__ import annotations
 
 import json
+import platform
 import sys
 from collections.abc import Iterable, Mapping
 from functools import cache
@@ -96,7 +97,8 @@ class Kept:
 
     def _fail(self, what: str, error: OSError) -> None:
         if self.working:
-            click.echo(f"Warning: games are not kept: cannot {what} {reason(error)}", err=True)
+            why = reason(error, self.folder)
+            click.echo(f"Warning: games are not kept: cannot {what} {why}", err=True)
         self.working = False
 
 
@@ -127,8 +129,12 @@ def _ended(row: Any) -> Ended | None:
 
 @cache
 def _engine() -> str:
-    """A digest of what plays: this package's own source, and the Python that runs it."""
-    digest = sha256(sys.version.encode())
+    """A digest of what plays: this package's own source, the Python that runs it, the kind of machine and its libm.
+
+    Sines differ between libraries of mathematics in their last bits, and a folder may be shared by several machines.
+    """
+    what = sys.version, platform.system(), platform.machine(), platform.libc_ver()
+    digest = sha256(repr(what).encode())
     for name, data in sorted(_sources(files("fasteroids"), "")):
         digest.update(f"\0{name}\0{len(data)}\0".encode() + data)
     return digest.hexdigest()

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import shlex
 import shutil
+import string
 import textwrap
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
@@ -13,7 +15,6 @@ from typing import Any, Final
 from attrs import asdict, frozen
 
 from fasteroids.arena import (
-    Paired,
     Played,
     Standing,
     between,
@@ -23,6 +24,7 @@ from fasteroids.arena import (
     wilson,
 )
 from fasteroids.cli._columns import aligned
+from fasteroids.cli._files import STDIO
 from fasteroids.cli._narrate import counted, number
 from fasteroids.cli._seeds import in_short
 from fasteroids.lang.report import legible
@@ -35,10 +37,13 @@ _ALONE: Final = ("cleared", "died", "timed out")
 _DUEL: Final = ("won", "lost", "drawn", "timed out")
 """The outcomes, in the order in which they are told."""
 
+_PLAIN: Final = frozenset(string.ascii_letters + string.digits + " ,./_-")
+"""What needs no escape in any quotes of a shell."""
+
 
 @frozen
 class League:
-    """An arena that is over: what was asked for, and how the games ended.
+    """An arena that is over: what was asked for, and how the games ended, at least one.
 
     `field` is the scene as it was given, `asked` the model that replaced its own, if any, `model` the one it had.
     """
@@ -55,7 +60,7 @@ class League:
     @property
     def alone(self) -> bool:
         """Is each program alone in the field?"""
-        return all(len(game.bots) == 1 for game in self.played)
+        return len(next(iter(self.played)).bots) == 1
 
 
 def told(league: League) -> Iterator[str]:
@@ -133,20 +138,14 @@ def _pairs(league: League, bots: Sequence[str]) -> list[str]:
         title = "One against the other"
         rows = [("first", "second", "first won", "second won", "drawn", "timed out", "p")]
     for first, second in combinations(bots, 2):
-        one, other = between(first, second, league.played)
-        pair = paired(one, other)
-        if league.alone:
-            rest = (pair.both, pair.neither)
-        else:
-            games = standing(one.values())
-            rest = (games.drawn, games.timed_out)
-        counts = (f"{n:,}" for n in (pair.first, pair.second, *rest))
-        rows.append((legible(first), legible(second), *counts, _chance(pair)))
+        *counts, p = _pair(league, first, second).values()
+        numbers = (f"{n:,}" for n in counts)
+        rows.append((legible(first), legible(second), *numbers, _chance(p)))
     return [title, *aligned(rows, right=range(2, 7))]
 
 
-def _chance(pair: Paired) -> str:
-    return "< 1e-9" if pair.p < 1e-9 else f"{pair.p:.2g}"
+def _chance(p: float) -> str:
+    return "< 1e-9" if p < 1e-9 else f"{p:.2g}"
 
 
 # Programs that stopped.
@@ -206,8 +205,19 @@ def _command(league: League, crew: tuple[str, ...]) -> str:
     game = next((g for g in games if not league.played[g][0].good), games[0])
     model = [] if league.asked is None else ["--model", league.asked]
     seed, limit = str(game.seed), repr(league.limit).removesuffix(".0")
-    words = ["run", league.field, "--seed", seed, "--bots", ",".join(crew), "--for", limit, *model]
-    return shlex.join(["fasteroids", *words])
+    field = league.field
+    if field.startswith("-") and field != STDIO:
+        field = f"./{field}"  # or it would be an option
+    words = ["run", field, "--seed", seed, "--bots", ",".join(crew), "--for", limit, *model]
+    return " ".join(["fasteroids", *map(_quoted, words)])
+
+
+def _quoted(word: str) -> str:
+    """A word for a shell, in which no terminal obeys anything: $'...' if it does not print (POSIX 2024, 2.2.4)."""
+    if word.isprintable():
+        return shlex.quote(word)
+    data = os.fsencode(word)
+    return "$'" + "".join(chr(b) if chr(b) in _PLAIN else f"\\x{b:02x}" for b in data) + "'"
 
 
 def _wrapped(text: str, hanging: int) -> list[str]:
@@ -246,6 +256,7 @@ def _standing(bot: str, each: Standing) -> dict[str, Any]:
 
 
 def _pair(league: League, first: str, second: str) -> dict[str, Any]:
+    """How often which of two was better, and `p`, in the order of the columns that tell it."""
     one, other = between(first, second, league.played)
     pair = paired(one, other)
     found: dict[str, Any] = {"only_first": pair.first, "only_second": pair.second}

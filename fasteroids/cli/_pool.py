@@ -24,6 +24,7 @@ from fasteroids.actions import Program
 from fasteroids.arena import Ended, Game, flown, play
 from fasteroids.cli._guard import Refusal
 from fasteroids.cli._scenes import Scene
+from fasteroids.lang.report import legible
 from fasteroids.units import ModelError
 
 __all__ = ["Result", "Stage", "cores", "played"]
@@ -51,7 +52,7 @@ class Stage:
             return play(flown(world, [self.programs[bot] for bot in game.bots]), limit=self.limit)
         except (ModelError, Refusal) as error:
             told = error.message if isinstance(error, Refusal) else str(error)
-            who = " against ".join(game.bots)
+            who = " against ".join(map(legible, game.bots))
             raise Refusal(f"{who} cannot play seed {game.seed}: {told}") from None
 
 

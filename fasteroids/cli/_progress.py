@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from time import monotonic
 from typing import TYPE_CHECKING
@@ -21,7 +22,8 @@ class Progress:
     """A bar with a few words. Shows nothing in its first second, nor unless stderr is a terminal."""
 
     def __init__(self) -> None:
-        self.wanted = sys.stderr is not None and sys.stderr.isatty()
+        terminal = sys.stderr is not None and sys.stderr.isatty()
+        self.wanted = terminal and os.environ.get("TERM") != "dumb"  # that takes no line back
         self._begun = self._last = monotonic()
         self._bar: Bar | None = None
         self._task: TaskID | None = None

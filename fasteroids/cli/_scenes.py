@@ -10,7 +10,7 @@ from pathlib import Path
 from attrs import frozen
 
 from fasteroids.cli._bots import boarded
-from fasteroids.cli._files import STDIO, read_limited, read_named, shipped
+from fasteroids.cli._files import STDIO, names_file, read_limited, read_named, shipped
 from fasteroids.cli._guard import Refusal, reason
 from fasteroids.scene import SceneError, load_scene
 from fasteroids.state import World
@@ -57,7 +57,7 @@ def read_scene(scene: str) -> Scene:
         data = read_limited(sys.stdin.buffer, "standard input", "scene")
         return Scene("standard input", _decoded("standard input", data), Path())
     path = Path(scene)
-    if not path.exists() and path.name == scene and (text := shipped().get(scene)) is not None:
+    if not names_file(path) and path.name == scene and (text := shipped().get(scene)) is not None:
         return Scene(scene, text, Path())
     try:
         with path.open("rb") as file:
@@ -66,7 +66,7 @@ def read_scene(scene: str) -> Scene:
     except FileNotFoundError:
         raise Refusal(_missing(scene)) from None
     except OSError as error:
-        raise Refusal(f"cannot read {reason(error)}") from None
+        raise Refusal(f"cannot read {reason(error, path)}") from None
 
 
 def _decoded(title: str, data: bytes) -> str:

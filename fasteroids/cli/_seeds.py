@@ -27,9 +27,9 @@ def seeds_of(text: str) -> tuple[int, ...]:
         first, last = int(match[1]), int(match[2] or match[1])
         if last < first:
             raise ValueError(f"{piece} runs backwards; write {last}-{first}")
-        if last - first >= MOST_SEEDS or len(found) + last - first >= MOST_SEEDS:
+        found.update(range(first, min(last, first + MOST_SEEDS) + 1))  # enough to see if too many
+        if len(found) > MOST_SEEDS:
             raise ValueError(f"must be {MOST_SEEDS:,} seeds at most")
-        found.update(range(first, last + 1))
     return tuple(sorted(found))
 
 

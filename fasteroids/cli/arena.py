@@ -64,7 +64,7 @@ class Seeds(click.ParamType[tuple[int, ...]]):
     help="Play by so many processes.  [default: one for each processor]",
 )  # fmt: skip
 @click.option(
-    "--keep", metavar="DIR", type=click.Path(path_type=Path),
+    "--keep", metavar="DIR", type=click.Path(),
     help="Keep the games in this folder.  [default: one in the user's cache]",
 )  # fmt: skip
 @click.option("--fresh", is_flag=True, help="Play also what is kept.")
@@ -76,7 +76,7 @@ def command(
     limit: float,
     model: str | None,
     jobs: int | None,
-    keep: Path | None,
+    keep: str | None,
     fresh: bool,
     as_json: bool,
 ) -> int:
@@ -85,8 +85,10 @@ def command(
     FIELD is a scene as for `fasteroids run`. If it has one ship, each program is alone with each seed; it is to leave
     no asteroid. If it has two, every two programs play one against the other, twice on each seed, with sides swapped.
     Games that are done are kept, so that after Ctrl-C the same command goes on, and a new program or seed does not
-    have the old ones played again. `fasteroids run FIELD --seed N --bots A` shows any of the games.
+    have the old ones played again. `fasteroids run FIELD --seed N --bots A --for 120` shows any of the games.
     """
+    if keep == "":
+        raise click.UsageError("--keep must be a folder; got ''")
     scene = read_scene(field)
     _refuse_twins(bots)
     programs = {bot: read_bot(bot) for bot in bots}
@@ -99,7 +101,7 @@ def command(
         raise Refusal(f"{scene.title} is for one against the other: give two bots or more")
     games = fixtures(bots, ships, seeds)
     kept = Kept(
-        usual_folder() if keep is None else keep,
+        usual_folder() if keep is None else Path(keep),
         (scene.text, world.model, limit),
         {bot: program.code.source for bot, program in programs.items()},
     )
@@ -155,7 +157,7 @@ def _finished(
 def _parting(done: int, games: int, kept: Kept, *, fresh: bool) -> str:
     """What to say of an arena that was interrupted."""
     if not kept.working:
-        then = "they were not kept"
+        then = "what came after the warning is not kept"
     else:
         then = f"the same command {'without --fresh ' if fresh else ''}goes on from there"
     return f"interrupted: {done:,} of {counted(games, 'game')} are done; {then}"

@@ -72,7 +72,7 @@ def command(
     if (states is None) != (every is None):
         raise click.UsageError("--states and --every need each other")
     outputs = {"--events": events, "--final": final, "--states": states}
-    check_outputs(scene, {**outputs, "--json": STDIO if as_json else None})
+    check_outputs(scene, {**outputs, "--json": STDIO if as_json else None}, bots)
     title, world = open_scene(scene, seed=seed, model=model, bots=bots)
     narrated = not quiet and not as_json and STDIO not in outputs.values()
     opening = _opening(title, world, span)

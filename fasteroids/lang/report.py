@@ -25,7 +25,7 @@ from attrs import frozen
 from fasteroids.lang.diagnostics import Diagnostic
 from fasteroids.lang.source import Span
 
-__all__ = ["WIDEST", "Paint", "Role", "legible", "rendered"]
+__all__ = ["WIDEST", "Paint", "Role", "cells", "legible", "rendered"]
 
 WIDEST: Final = 96
 """Cells of source that are shown of a line."""
@@ -59,6 +59,11 @@ _LINE_END: Final = re.compile(r"\r\n?|\n")
 def legible(text: str) -> str:
     """Text with every character that does not print, or has no width, as an escape. So a terminal obeys none."""
     return text if text.isprintable() else "".join(_shown(c) for c in text)
+
+
+def cells(text: str) -> int:
+    """The cells of a terminal that a `legible` text takes: two for each wide character, as those of Chinese."""
+    return sum(map(_width, text))
 
 
 def _one(each: Diagnostic, lines: Sequence[str], name: str, paint: Paint) -> str:

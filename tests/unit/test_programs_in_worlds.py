@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from attrs import evolve as with_
 
 from fasteroids import (
     Asteroid,
@@ -17,6 +18,7 @@ from fasteroids import (
     parse_program,
 )
 from fasteroids.lang import Halted, Running
+from fasteroids.state import instructed
 from fasteroids.testing import unfold
 from fasteroids.units import FUEL
 from tests.unit.making import machine
@@ -151,3 +153,63 @@ def test_equal_worlds_think_alike() -> None:
     ]
     assert worlds[0] == worlds[1]
     assert [[h.effect for h in unfold(w, until=0.2).log] for w in worlds] == [["fire"], ["fire"]]
+
+
+# Another program in the middle of a run.
+
+
+def test_another_program_begins_at_the_next_tick_and_the_old_one_is_gone() -> None:
+    world = evolve(space(COUNT), 0.5)
+    told = instructed(world, 1, machine("while (true) { print 7; skip; }"))
+    assert prints(told, 1.0) == [(0.6, "7.0"), (0.8, "7.0"), (1.0, "7.0")]
+    assert prints(world, 0.8) == [(0.6, "3.0"), (0.8, "4.0")]  # the world before goes on as it did
+
+
+def test_a_ship_without_a_program_gets_one_at_a_tick_and_begins_at_the_one_after() -> None:
+    world = evolve(World(1000, 1000).add(Ship(500, 500, 0, 0, 20, 5e15, 0)), 0.6)
+    log = unfold(instructed(world, 1, machine("skip;")), until=1.0).log
+    assert [h.time for h in log] == [0.8]
+
+
+def test_a_program_that_has_ended_gives_no_ticks() -> None:
+    done = evolve(space("skip;"), 1.0).ships[0].program
+    assert done is not None
+    assert not done.running
+    told = instructed(evolve(space(COUNT), 0.5), 1, done)
+    assert unfold(told, until=2.0).log == []
+    assert told.flight_of(1).next_tick is None
+
+
+def test_another_program_changes_nothing_of_the_flight() -> None:
+    """The path bent by a thruster, when it began, and whom the ship has just met."""
+    pair = [Ship(x, 500, vx, 0, 20, 5e15, 0, thruster=True) for x, vx in ((300, 90), (500, -90))]
+    world = evolve(World(1000, 1000, model="smooth").add_all(pair), 1.0)
+    before = world.flight_of(1)
+    assert before.bounced_off == 2
+    assert before.path is not None
+    assert before.since != world.now
+    after = instructed(world, 1, machine("while (true) { skip; }")).flight_of(1)
+    assert (after.since, after.bounced_off, after.path) == (
+        before.since, before.bounced_off, before.path,
+    )  # fmt: skip
+    assert isinstance(after.entity, Ship)
+    assert with_(after.entity, program=None) == before.entity
+
+
+def test_the_same_program_again_starts_anew_but_flies_the_same() -> None:
+    steady = machine("while (true) { thrust; }")
+    ship = Ship(300, 500, 0, 40, 20, 5e15, 0, program=steady)
+    world = evolve(World(1000, 1000, model="smooth").add(ship), 1.5)
+    assert evolve(instructed(world, 1, steady), 3.0).ships[0].position == (
+        evolve(world, 3.0).ships[0].position
+    )
+
+
+def test_only_ships_of_the_world_take_programs_and_only_checked_ones() -> None:
+    world = space(COUNT).add(Asteroid(200, 200, 0, 0, 20))
+    with pytest.raises(ModelError, match="a program is for a ship; asteroid #2 is none"):
+        instructed(world, 2, machine("skip;"))
+    with pytest.raises(ModelError, match="9"):
+        instructed(world, 9, machine("skip;"))
+    with pytest.raises(ModelError, match="program"):
+        instructed(world, 1, "skip;")  # type: ignore[arg-type]

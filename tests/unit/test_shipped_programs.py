@@ -5,21 +5,19 @@ from __future__ import annotations
 from math import hypot
 
 import pytest
-from attrs import evolve as with_
 
 from fasteroids import (
     Asteroid,
-    Happened,
     Ship,
     World,
     check_program,
-    happenings,
     load_scene,
     parse_program,
 )
 from fasteroids.cli._files import shipped, shipped_programs
 from fasteroids.testing import unfold
 from tests.unit.making import machine
+from tests.unit.programs.playing import acted, cleared
 
 PROGRAMS = shipped_programs()
 
@@ -28,40 +26,11 @@ def pilot(name: str, x: float = 512.0, y: float = 384.0) -> Ship:
     return Ship(x, y, 0, 0, 40, 5e15, 0.0, program=machine(PROGRAMS[name]), name=name)
 
 
-def field(name: str, seed: int, program: str) -> World:
-    """A shipped field whose ship is flown by a program."""
-    world = load_scene(shipped()[name], seed=seed)
-    empty = World(world.width, world.height, seed, world.model).add(pilot(program))
-    return empty.add_all(with_(asteroid, id=None) for asteroid in world.asteroids)
-
-
-def ends(world: World) -> tuple[str, float]:
-    """How a game of 120 s ends for ship 1, and when."""
-    for happened, after in happenings(world, 120.0):
-        if 1 in happened.died:
-            return "died", happened.time
-        if happened.died and not after.asteroids:
-            return "cleared", happened.time
-    return "timed out", 120.0
-
-
-def acted(log: list[Happened]) -> list[str]:
-    return [h.effect for h in log if h.kind == "tick"]
-
-
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_each_is_correct_and_opens_with_what_it_does(name: str) -> None:
     checked = check_program(parse_program(PROGRAMS[name]))
     assert checked.diagnostics == ()
     assert PROGRAMS[name].startswith("// ")
-
-
-@pytest.mark.parametrize("name", PROGRAMS)
-@pytest.mark.parametrize("scene", ["field-2013", "field-storm"])
-def test_none_stops_or_runs_out_of_fuel(name: str, scene: str) -> None:
-    for seed in range(3):
-        log = unfold(field(scene, seed, name), until=20.0).log
-        assert {"halt", "fuel"}.isdisjoint(acted(log))
 
 
 def test_the_fields_are_as_they_are_said_to_be() -> None:
@@ -100,10 +69,7 @@ def test_the_opponent_of_2013_says_turns_and_fires() -> None:
 
 
 def test_the_opponent_of_2013_seldom_clears_its_field() -> None:
-    assert (
-        sum(ends(field("field-2013", seed, "opponent-2013"))[0] == "cleared" for seed in range(20))
-        <= 3
-    )
+    assert cleared("field-2013", range(20), "opponent-2013") <= 3
 
 
 @pytest.mark.parametrize(("vx", "vy"), [(0, 80), (90, -40), (-60, -100), (0, 0)])
@@ -121,5 +87,4 @@ def test_the_turret_leads_its_target(vx: float, vy: float) -> None:
 
 def test_the_turret_clears_slow_fields() -> None:
     """What it clears is measured by games of other seeds than those it was made with."""
-    outcomes = [ends(field("field-2013", seed, "turret"))[0] for seed in range(500, 512)]
-    assert outcomes.count("cleared") >= 9
+    assert cleared("field-2013", range(500, 512), "turret") >= 9

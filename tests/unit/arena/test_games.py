@@ -95,6 +95,12 @@ def test_timed_out_at_the_limit() -> None:
     assert play(world) == (Ended("timed out", LIMIT),)
 
 
+def test_a_game_timed_out_lasted_as_long_as_the_limit_says() -> None:
+    """(0.1 + 0.2) - 0.1 is more."""
+    late = evolve(world_of(ship(100, 100), rock(500, 500)), 0.1)
+    assert play(late, limit=0.2) == (Ended("timed out", 0.2),)
+
+
 def test_an_end_at_the_limit_counts() -> None:
     world = world_of(ship(100, 100), rock(200, 100, vx=-70.0))
     assert play(world, limit=1.0) == (Ended("died", 1.0),)

@@ -1,4 +1,4 @@
-"""`fasteroids arena`: the table, the comparison, the seeds, JSON, and what is refused."""
+"""`fasteroids arena`: its games, what is kept of them, and what is refused."""
 
 from __future__ import annotations
 
@@ -12,8 +12,7 @@ from typing import Any
 import pytest
 from click.testing import Result
 
-from fasteroids.arena import Ended, Game, Played
-from fasteroids.cli._league import League, record, told
+from fasteroids.arena import Game
 from fasteroids.cli._pool import played as original
 
 Call = Callable[..., Result]
@@ -33,110 +32,6 @@ def arena(call: Call, tmp_path: Path) -> Call:
 def written(path: Path, text: str) -> str:
     path.write_text(text, encoding="utf-8")
     return str(path)
-
-
-# For people.
-
-
-def league(played: Played, bots: tuple[str, ...], field: str = "field.toml") -> League:
-    seeds = tuple(sorted({game.seed for game in played}))
-    return League(Path(field).name, field, None, "smooth", 60.0, seeds, bots, played)
-
-
-def test_alone_a_league_is_told_like_this() -> None:
-    cleared, died, late = Ended("cleared", 20.0), Ended("died", 5.0), Ended("timed out", 60.0, 1200)
-    stopped = Ended("died", 6.0, 0, "line 3: getx null: e is null")
-    a = [cleared, died, cleared, cleared, late]
-    b = [died, died, stopped, cleared, stopped]
-    played = {
-        Game((bot,), seed): (ended,)
-        for bot, ends in (("my/b.ast", b), ("a", a))
-        for seed, ended in enumerate(ends)
-    }
-    assert (
-        "\n".join(told(league(played, ("my/b.ast", "a"), "my field.toml")))
-        == """\
-my field.toml: 2 bots, each alone on 5 seeds (0-4), at most 60 s; model smooth
-
-                                              timed   mean  median  out of
-bot       games  cleared        (95 %)  died    out  death  clears    fuel
-a             5        3  60 % (23-88)     1      1  5.0 s  20.0 s   1,200
-my/b.ast      5        1   20 % (4-62)     4      0  5.5 s  20.0 s       0
-
-On the same seeds, cleared by
-first  second    only first  only second  both  neither    p
-a      my/b.ast           2            0     1        2  0.5
-
-Stopped at an illegal operation
-  my/b.ast: line 3: getx null: e is null; seeds 2 4
-
-Seeds
-  a
-    cleared:   0 2-3
-    died:      1
-    timed out: 4
-  my/b.ast
-    cleared:   3
-    died:      0-2 4
-
-To see one: fasteroids run 'my field.toml' --seed 1 --bots a --for 60"""
-    )
-
-
-def test_one_against_the_other_a_league_is_told_like_this() -> None:
-    won, lost, drawn = Ended("won", 4.0), Ended("lost", 4.0), Ended("drawn", 9.0)
-    late, stopped = Ended("timed out", 60.0), Ended("timed out", 60.0, 2, "line 1: turn by nan")
-    played = {
-        Game(("a", "b"), 0): (won, lost), Game(("b", "a"), 0): (won, lost),
-        Game(("a", "b"), 1): (won, lost), Game(("b", "a"), 1): (lost, won),
-        Game(("a", "b"), 4): (drawn, drawn), Game(("b", "a"), 4): (late, stopped),
-    }  # fmt: skip
-    assert (
-        "\n".join(told(league(played, ("a", "b"))))
-        == """\
-field.toml: every two of 2 bots, both ways round on 3 seeds (0-1 4), at most 60 s; model smooth
-
-                                            timed   mean  median  out of
-bot  games  won        (95 %)  lost  drawn    out  death    wins    fuel
-a        6    3  50 % (19-81)     1      1      1  6.5 s   4.0 s       2
-b        6    1   17 % (3-56)     3      1      1  5.2 s   4.0 s       0
-
-One against the other
-first  second  first won  second won  drawn  timed out     p
-a      b               3           1      1          1  0.62
-
-Stopped at an illegal operation
-  a in b against a: line 1: turn by nan; seed 4
-
-Seeds, as the first of the two fared
-  a against b
-    won:       0-1
-    drawn:     4
-  b against a
-    won:       0
-    lost:      1
-    timed out: 4
-
-To see one: fasteroids run field.toml --seed 4 --bots a,b --for 60"""
-    )
-
-
-@pytest.mark.parametrize("columns", [40, 80, 300])
-def test_long_lists_of_seeds_are_wrapped(columns: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("COLUMNS", str(columns))
-    played = {Game(("a",), seed): (Ended("died", 1.0),) for seed in range(0, 400, 2)}
-    lines = list(told(league(played, ("a",))))
-    (first,) = [i for i, line in enumerate(lines) if line.startswith("    died:")]
-    rows = lines[first : lines.index("", first)]
-    assert len(rows) > 5
-    assert max(map(len, rows)) <= min(columns, 100)
-    assert all(row.startswith(" " * 15) for row in rows[1:])
-    assert " ".join(" ".join(rows).split()[1:]) == " ".join(map(str, range(0, 400, 2)))
-
-
-def test_names_obey_no_terminal() -> None:
-    played = {Game(("a\x1b[2J.ast",), 0): (Ended("died", 1.0),)}
-    assert "\x1b" not in "\n".join(told(league(played, ("a\x1b[2J.ast",)))).rpartition("\n")[0]
 
 
 # The command.
@@ -209,7 +104,7 @@ def test_any_number_of_jobs_gives_the_same_bytes(
 
 def test_the_order_of_the_bots_changes_no_game(arena: Call) -> None:
     def games(bots: str) -> set[str]:
-        found = json.loads(arena("field-2013", "--bots", bots, *QUICK, "--json").stdout)
+        found = json.loads(arena("field-2013", "--bots", bots, *QUICK, "--fresh", "--json").stdout)
         return {json.dumps(game) for game in found["games"]}
 
     assert games("turret,spinner") == games("spinner,turret")
@@ -219,6 +114,7 @@ def test_the_command_it_tells_shows_the_game(arena: Call, call: Call) -> None:
     shown = arena("field-2013", "--bots", "spinner", "--model", "robust", *QUICK)
     told = shown.stdout.splitlines()[-1].removeprefix("To see one: ")
     command = shlex.split(told)
+    assert command[-2:] == ["--model", "robust"]
     assert command[:2] == ["fasteroids", "run"]
     run = call(*command[1:], "--events", "-")
     died = [
@@ -232,6 +128,32 @@ def test_the_command_it_tells_shows_the_game(arena: Call, call: Call) -> None:
         game for game in found["games"] if str(game["seed"]) == command[command.index("--seed") + 1]
     ]
     assert [event["time"] for event in died] == [game["ended"][0]["time"]]
+
+
+def test_model_and_limit_reach_the_game(arena: Call, call: Call, tmp_path: Path) -> None:
+    """A ship that thrusts into an asteroid: when they meet differs with the rule of thrust."""
+    text = (
+        "[world]\nwidth = 900\nheight = 400\n[[ship]]\nx = 50\ny = 50\nradius = 10\nmass = 5e15\n"
+        "[[asteroid]]\nx = 600\ny = 50\nradius = 10\n"
+    )
+    field, bot = (
+        written(tmp_path / "f.toml", text),
+        written(tmp_path / "b.ast", "thrust; while (true) { skip; }"),
+    )
+    seen = {}
+    for model in ("robust", "smooth"):
+        asked = [field, "--bots", bot, "--model", model]
+        (died,) = [
+            event["time"]
+            for event in map(json.loads, call("run", *asked, "--events", "-").stdout.splitlines())
+            if 1 in event.get("died", [])
+        ]
+        for limit, outcome in ((died, "died"), (died - 0.1, "timed out")):
+            shown = arena(*asked, "--seeds", "0", "--for", repr(limit), "--json")
+            ((one,),) = (game["ended"] for game in json.loads(shown.stdout)["games"])
+            assert (one["outcome"], one["time"]) == (outcome, limit)
+        seen[model] = died
+    assert len({*seen.values()}) == 2
 
 
 def test_programs_that_stopped_are_named(arena: Call, tmp_path: Path) -> None:
@@ -288,12 +210,30 @@ def test_only_what_is_missing_is_played(
     assert games("turret", "2-6") == 3  # seeds added
     assert games("spinner,turret", "0-6") == 7  # a bot added
     assert games("turret", "0-6", "--model", "robust") == 7
+    assert games("turret", "0-6", "--for", "3") == 7
     assert games("turret", "0-6", "--fresh") == 7
     bot.write_text("while (true) { fire; }")
     assert games(f"turret,{bot}", "0-1") == 2
     bot.write_text("while (true) { turn 1; }")
     assert games(f"turret,{bot}", "0-1") == 2  # a bot changed
     assert games(f"turret,{bot}", "0-1") == 0
+
+
+def test_a_changed_field_of_the_same_name_is_played_anew(arena: Call, tmp_path: Path) -> None:
+    text = (
+        "[world]\nwidth = 900\nheight = 400\n[[ship]]\nx = 50\ny = 50\nradius = 10\nmass = 1e15\n"
+    )
+    place, bot = tmp_path / "f.toml", written(tmp_path / "b.ast", "skip;")
+
+    def ended(rock: str) -> tuple[str, float]:
+        place.write_text(f"{text}[[asteroid]]\n{rock}\ny = 50\nradius = 10\n")
+        shown = arena(str(place), "--bots", bot, "--seeds", "7", "--json")
+        ((one,),) = (game["ended"] for game in json.loads(shown.stdout)["games"])
+        return one["outcome"], one["time"]
+
+    assert ended("vx = -90\nx = 160") == ("died", 1.0)
+    assert ended("vx = -45\nx = 160") == ("died", 2.0)
+    assert ended("vx = -90\nx = 160") == ("died", 1.0)
 
 
 def test_a_folder_that_cannot_be_written_is_a_warning(call: Call, tmp_path: Path) -> None:
@@ -334,6 +274,12 @@ def test_bad_input_is_refused(arena: Call, tmp_path: Path, args: list[str], why:
     assert why in shown.stderr
     assert shown.stdout == ""
     assert not (tmp_path / "kept").exists()
+
+
+def test_games_are_not_kept_where_one_happens_to_be(call: Call) -> None:
+    shown = call("arena", "field-2013", "--bots", "turret", "--keep", "")
+    assert shown.exit_code == 2
+    assert "--keep must be a folder; got ''" in shown.stderr
 
 
 def test_one_file_by_two_names_is_refused(arena: Call, tmp_path: Path) -> None:
@@ -388,13 +334,3 @@ def test_a_field_with_no_ships_or_too_many_is_refused(arena: Call, ships: int) -
         "Error: standard input: a field has one ship, to clear it, or two, one against the other; "
         f"this one has {ships}\n"
     )
-
-
-# The record alone.
-
-
-def test_a_record_is_plain_json() -> None:
-    played = {Game(("a",), 0): (Ended("died", 1.0),)}
-    found = record(league(played, ("a",)))
-    assert json.loads(json.dumps(found, allow_nan=False))["bots"][0]["clearing"] is None
-    assert found["pairs"] == []

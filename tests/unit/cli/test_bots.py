@@ -131,6 +131,16 @@ def test_a_file_wins_over_a_shipped_program(
     assert read_bot("-").code.source == "fire;"
 
 
+def test_a_folder_hides_no_shipped_program_and_no_shipped_scene(
+    call: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    for name in ("turret", "field-2013"):
+        (tmp_path / name).mkdir()
+    assert read_bot("turret").code.source == shipped_programs()["turret"]
+    assert call("run", "field-2013", "--bots", "turret", "--for", "0.2").exit_code == 0
+
+
 def test_many_errors_are_cut_short(tmp_path: Path) -> None:
     bot = tmp_path / "bad.ast"
     bot.write_text("".join(f"a{i} := 1;\n" for i in range(30)))

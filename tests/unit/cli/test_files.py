@@ -94,6 +94,17 @@ def test_interrupted_while_writing_finishes_the_line() -> None:
     assert unfold.interrupted
 
 
+def test_a_polite_kill_is_as_ctrl_c() -> None:
+    before = signal.getsignal(signal.SIGTERM)
+    with Interruptible(counting(pressed_at=-1)) as unfold:
+        for i in unfold:
+            if i == 3:
+                signal.raise_signal(signal.SIGTERM)
+    assert i == 3
+    assert unfold.interrupted
+    assert signal.getsignal(signal.SIGTERM) is before
+
+
 def test_second_press_raises_at_once() -> None:
     with Interruptible(counting(pressed_at=-1)) as unfold:
         assert next(iter(unfold)) == 0

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import errno
+import io
 import json
+import os
+import platform
 from pathlib import Path
 
 import pytest
@@ -108,6 +112,7 @@ def test_a_torn_last_line_is_dropped_and_the_next_one_is_whole(tmp_path: Path, c
         '{"seed": 3}', '{"seed": "3", "ended": []}', '{"seed": 3, "ended": []}', '{"seed": 3, "ended": [null]}',
         '{"seed": 3, "ended": [{"outcome": "eaten", "time": 1.0, "fuel": 0, "stopped": null}]}',
         '{"seed": 3, "ended": [{"outcome": "died", "time": NaN, "fuel": 0, "stopped": null}]}',
+        '{"seed": 3, "ended": [{"outcome": "died", "time": Infinity, "fuel": 0, "stopped": null}]}',
         '{"seed": 3, "ended": [{"outcome": "died", "time": -1.0, "fuel": 0, "stopped": null}]}',
         '{"seed": 3, "ended": [{"outcome": "died", "time": 1.0, "fuel": -1, "stopped": null}]}',
         '{"seed": 3, "ended": [{"outcome": "died", "time": 1.0, "fuel": 0, "stopped": 5}]}',
@@ -152,6 +157,41 @@ def test_a_folder_that_is_none_is_told_of_once(
     assert kept(place).recalled([Game(("a",), 3)]) == {}
     assert "Warning: games are not kept: cannot read" in capsys.readouterr().err
     assert place.read_text() == "mine"
+
+
+def test_a_full_disk_is_told_of_with_its_folder(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The error of a write does not know the file."""
+    monkeypatch.setattr(Path, "open", lambda *_, **__: Full())
+    games = kept(tmp_path)
+    games.keep(Game(("a",), 3), (CLEARED,))
+    assert not games.working
+    assert capsys.readouterr().err == (
+        f"Warning: games are not kept: cannot write {str(tmp_path)!r}: No space left on device\n"
+    )
+
+
+class Full(io.BytesIO):
+    """A file on a disk that is full."""
+
+    def write(self, _: object) -> int:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+
+def test_games_of_another_machine_or_libm_are_not_found(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Sines may differ in their last bits."""
+    game = Game(("a",), 3)
+    kept(tmp_path).keep(game, (CLEARED,))
+    for what, value in (("machine", "abacus"), ("libc_ver", ("glibc", "0.1"))):
+        with monkeypatch.context() as patch:
+            patch.setattr(platform, what, lambda value=value: value)
+            _kept._engine.cache_clear()
+            assert kept(tmp_path).recalled([game]) == {}
+    _kept._engine.cache_clear()
+    assert kept(tmp_path).recalled([game]) == {game: (CLEARED,)}
 
 
 def test_the_usual_folder_is_in_the_cache(cache: Path) -> None:

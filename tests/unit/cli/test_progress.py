@@ -23,6 +23,7 @@ def clock(monkeypatch: pytest.MonkeyPatch) -> list[float]:
     now = [1000.0]
     monkeypatch.setattr(_progress, "monotonic", lambda: now[0])
     monkeypatch.setattr(_progress, "sys", SimpleNamespace(stderr=Terminal(True)))
+    monkeypatch.setenv("TERM", "xterm")
     return now
 
 
@@ -86,14 +87,18 @@ def test_a_run_is_shown_with_its_speed(clock: list[float], shown: list[tuple[flo
     ]
 
 
-@pytest.mark.parametrize("stderr", [None, Terminal(False)])
-def test_nothing_is_shown_without_a_terminal(
+@pytest.mark.parametrize(
+    ("stderr", "term"), [(None, "xterm"), (Terminal(False), "xterm"), (Terminal(True), "dumb")]
+)
+def test_nothing_is_shown_without_a_terminal_that_takes_lines_back(
     stderr: object,
+    term: str,
     clock: list[float],
     shown: list[tuple[float, str]],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(_progress, "sys", SimpleNamespace(stderr=stderr))
+    monkeypatch.setenv("TERM", term)
     games, run = GamesProgress(0, 10), RunProgress(0.0, 1.0)
     clock[0] += 60.0
     games.show(5)

@@ -365,6 +365,16 @@ def test_output_over_the_scene(call: Call, scene: str) -> None:
     assert Path(scene).read_text() == before
 
 
+def test_output_over_a_program(call: Call, tmp_path: Path) -> None:
+    bot = tmp_path / "bot.ast"
+    bot.write_text("fire;")
+    for option in ("--events", "--final"):
+        shown = call("run", "field-2013", "--bots", str(bot), option, str(bot))
+        assert shown.exit_code == 2
+        assert f"{option} and the program cannot both be {str(bot)!r}" in shown.stderr
+        assert bot.read_text() == "fire;"
+
+
 def test_nothing_is_written_for_a_bad_scene(call: Call, tmp_path: Path) -> None:
     (tmp_path / "bad.toml").write_text("[world]\nwidth = 1\n")
     kept = tmp_path / "events.jsonl"

@@ -33,6 +33,7 @@ def test_seeds_are_read(text: str, seeds: tuple[int, ...]) -> None:
         (f"0-{MOST_SEEDS}", "at most"),
         ("0-999999999999999999", "at most"),
         (f"5,10-{MOST_SEEDS + 9}", "at most"),
+        (f"0-{MOST_SEEDS - 1} {MOST_SEEDS}", "at most"),
     ],
 )  # fmt: skip
 def test_anything_else_is_refused(text: str, why: str) -> None:
@@ -42,6 +43,10 @@ def test_anything_else_is_refused(text: str, why: str) -> None:
 
 def test_as_many_as_allowed() -> None:
     assert len(seeds_of(f"1-{MOST_SEEDS}")) == MOST_SEEDS
+
+
+def test_seeds_given_twice_count_once() -> None:
+    assert len(seeds_of(f"7,0-{MOST_SEEDS - 1},3-9")) == MOST_SEEDS
 
 
 @pytest.mark.parametrize(
