@@ -79,7 +79,7 @@ def test_the_program_reads_the_settings_that_the_package_has(package: dict[str, 
 def ran(*, client: bool) -> list[list[Any]]:
     """What the extension does in its life, with all around it pretended."""
     node = shutil.which("node")
-    if node is None:
+    if node is None:  # it comes with editors: nothing of this project needs or installs it
         pytest.skip("there is no Node.js to run it with")
     code = STUBS.replace("LANGUAGE", "true" if client else "false")
     shown = subprocess.run(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from bisect import bisect
 from functools import cached_property
 from typing import Final
@@ -11,7 +12,7 @@ from fasteroids.lang.diagnostics import Edit
 from fasteroids.lang.parser import foreign
 from fasteroids.lang.parser._misreadings import Misreadings
 from fasteroids.lang.parser.lexer import BROKEN, END, NAME, STRAY, quoted
-from fasteroids.lang.syntax import MOST_NESTED, Block, Kind, Name
+from fasteroids.lang.syntax import MOST_NESTED, Block, Kind, Name, Statement
 
 __all__ = ["Heads"]
 
@@ -19,8 +20,12 @@ _MOST_TRIED: Final = 8
 _KINDS_HINT: Final = "The kinds are `ship`, `asteroid`, `bullet` and `any`"
 
 
-class Heads(Misreadings):
+class Heads(Misreadings, ABC):
     """Reads on where statements with a body go wrong."""
+
+    @abstractmethod
+    def statements(self, depth: int) -> tuple[Statement, ...]:
+        """Statements up to the end of the block."""
 
     def too_deep_block(self) -> None:
         """Pass over the rest of a block that lies too deep."""

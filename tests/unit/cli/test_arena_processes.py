@@ -42,28 +42,41 @@ def lines(folder: Path) -> list[str]:
     return [line for place in folder.glob("*") for line in place.read_text().splitlines()]
 
 
-def children(pid: int) -> list[int]:
-    """The living processes that a process started to play."""
-    found = []
+def processes() -> dict[int, tuple[int, str]]:
+    """The living processes by number: the parent of each, and its command line."""
+    if not Path("/proc/self/stat").exists():
+        return told_by_ps()
+    found = {}
     for place in Path("/proc").glob("[0-9]*"):
         try:
             state, parent = (place / "stat").read_text().rpartition(")")[2].split()[:2]
-            if (
-                int(parent) == pid
-                and state != "Z"
-                and b"spawn_main" in (place / "cmdline").read_bytes()
-            ):
-                found.append(int(place.name))
+            command = (place / "cmdline").read_text(errors="replace")
         except OSError:  # it has just ended
             continue
+        if state != "Z":
+            found[int(place.name)] = int(parent), command
     return found
 
 
+def told_by_ps() -> dict[int, tuple[int, str]]:
+    """The same where there is no /proc."""
+    ps = ["ps", "-A", "-o", "pid=,ppid=,stat=,args="]
+    told = subprocess.run(ps, capture_output=True, text=True, check=True).stdout
+    rows = [line.split(None, 3) for line in told.splitlines()]
+    return {int(row[0]): (int(row[1]), row[3]) for row in rows if row[2][0] != "Z"}
+
+
+def children(pid: int) -> list[int]:
+    """The living processes that a process started to play."""
+    return [
+        child
+        for child, (parent, command) in processes().items()
+        if parent == pid and "spawn_main" in command
+    ]
+
+
 def living(pid: int) -> bool:
-    try:
-        return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
-    except OSError:
-        return False
+    return pid in processes()
 
 
 @pytest.mark.parametrize(
@@ -93,9 +106,6 @@ def test_after_ctrl_c_the_same_command_goes_on(
     assert resumed == fresh
 
 
-@pytest.mark.skipif(
-    not Path("/proc/self/stat").exists(), reason="this system shows no processes in /proc"
-)
 def test_ctrl_c_of_all_that_was_not_kept(spawn: Spawn, tmp_path: Path) -> None:
     file = tmp_path / "file"
     file.write_text("mine")
@@ -110,9 +120,6 @@ def test_ctrl_c_of_all_that_was_not_kept(spawn: Spawn, tmp_path: Path) -> None:
     assert b"Traceback" not in said
 
 
-@pytest.mark.skipif(
-    not Path("/proc/self/stat").exists(), reason="this system shows no processes in /proc"
-)
 def test_a_killed_process_loses_no_game(spawn: Spawn, tmp_path: Path) -> None:
     kept = tmp_path / "kept"
     asked = [*FEW, "--jobs", "2"]
@@ -125,9 +132,6 @@ def test_a_killed_process_loses_no_game(spawn: Spawn, tmp_path: Path) -> None:
     assert told == spawn(*asked, "--keep", str(tmp_path / "other")).communicate(timeout=PATIENCE)[0]
 
 
-@pytest.mark.skipif(
-    not Path("/proc/self/stat").exists(), reason="this system shows no processes in /proc"
-)
 def test_processes_end_with_the_one_that_started_them(spawn: Spawn, tmp_path: Path) -> None:
     kept = tmp_path / "kept"
     process = spawn(*MANY, "--keep", str(kept))

@@ -9,6 +9,7 @@ import os
 import platform
 from pathlib import Path
 
+import platformdirs
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -194,7 +195,6 @@ def test_games_of_another_machine_or_libm_are_not_found(
     assert kept(tmp_path).recalled([game]) == {game: (CLEARED,)}
 
 
-def test_the_usual_folder_is_in_the_cache(cache: Path) -> None:
-    if cache not in usual_folder().parents:
-        pytest.skip("on this system the cache goes by something else than XDG_CACHE_HOME")
-    assert usual_folder() == cache / "fasteroids" / "arena"
+def test_the_usual_folder_is_in_the_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(platformdirs, "user_cache_path", lambda name: tmp_path / name)
+    assert usual_folder() == tmp_path / "fasteroids" / "arena"

@@ -101,7 +101,6 @@ def test_an_editor_that_is_gone_ends_it_with_1(talk: Talk) -> None:
     assert talk.end() == 1
 
 
-@pytest.mark.skipif(os.name == "nt", reason="Windows has no such signals")
 def test_an_interrupt_ends_it_while_the_editor_is_still_there(talk: Talk) -> None:
     talk.start()
     talk.process.send_signal(SIGINT)
@@ -191,7 +190,6 @@ def test_help_does_not_need_the_extra() -> None:
     assert "--stdio" in shown.stdout
 
 
-@pytest.mark.skipif(not hasattr(os, "openpty"), reason="there are no terminals to try it with")
 def test_at_a_terminal_it_says_that_it_is_for_editors() -> None:
     ours, theirs = os.openpty()
     try:

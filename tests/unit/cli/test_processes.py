@@ -145,7 +145,8 @@ def test_closed_standard_input() -> None:
     assert (run.returncode, run.stderr) == (2, "Error: standard input is closed\n")
 
 
-# A disk cannot be filled on purpose without rights; this device, which only some systems have, plays a full one.
+# A disk cannot be filled on purpose without rights. Linux has a device that plays a full one, and there is no other way
+# to have the system itself say so; `test_kept` plays one everywhere.
 @pytest.mark.skipif(
     not Path("/dev/full").exists(),
     reason="this system has no /dev/full, the one full disk to be had",
