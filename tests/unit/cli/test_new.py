@@ -48,6 +48,12 @@ def test_a_bot_is_a_program_without_faults(call: Call, folder: Path) -> None:
     assert (checked.exit_code, checked.stderr) == (0, "hunter.ast: no errors\n")
 
 
+def test_a_bot_is_in_the_normal_form_and_free_of_warnings(call: Call) -> None:
+    call("new", "bot", "hunter")
+    assert call("fmt", "--check", "hunter.ast").exit_code == 0
+    assert call("check", "--strict", "hunter.ast").exit_code == 0
+
+
 def test_a_scene_without_a_program_beside_it_holds_one_and_runs(call: Call, folder: Path) -> None:
     shown = call("new", "scene", "field")
     assert (shown.exit_code, shown.stdout) == (0, "")
