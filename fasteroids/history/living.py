@@ -95,7 +95,8 @@ def answered(last: Lived, what: Input) -> Lived:
         *_, last = lived(last, what.clock)
         return last
     world = applied(last.world, what)
-    died = born = ()
+    died: tuple[int, ...] = ()
+    born: tuple[int, ...] = ()
     old, new = last.world.roster, world.roster
     if old is not new:
         died = tuple(sorted(i for i in old.slots if i not in new.slots))
