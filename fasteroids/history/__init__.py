@@ -15,12 +15,14 @@ from fasteroids.history.inputs import Remove as Remove
 from fasteroids.history.living import Lived as Lived
 from fasteroids.history.living import Told as Told
 from fasteroids.history.timeline import BUDGET as BUDGET
+from fasteroids.history.timeline import MAIN as MAIN
 from fasteroids.history.timeline import Bookmark as Bookmark
 from fasteroids.history.timeline import Timeline as Timeline
 from fasteroids.history.timeline import begin as begin
 
 __all__ = [
     "BUDGET",
+    "MAIN",
     "Act",
     "Add",
     "Bookmark",

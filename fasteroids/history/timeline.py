@@ -273,7 +273,7 @@ class Timeline:
         if isinstance(at, Place):
             state = self.state(at) if self.first.place <= at <= self.last.place else None
             if state is None or state.place != at:
-                raise ModelError(f"there is no {at} in this past")
+                raise ModelError(f"there is no place {tuple(at)} in this past")
             return state
         world = self.at(at)
         before = self.state(Place(*world.now, inf))  # type: ignore[arg-type]  # after all of that moment
