@@ -21,7 +21,7 @@ from fasteroids.lang.machine.traced import machine_in
 from fasteroids.lang.machine.values import Seen, Stuck, type_of
 from fasteroids.lang.parser import parse_program
 from fasteroids.lang.report import rendered
-from fasteroids.lang.source import Span
+from fasteroids.lang.source import NOWHERE, Span
 from fasteroids.lang.syntax import Block, Declaration, If, Name, Type
 from fasteroids.rules import ShipView
 from fasteroids.state import World
@@ -133,5 +133,7 @@ def _within(span: Span, rows: int) -> bool:
 
 
 def _moved(span: Span) -> Span:
-    """A place in the text, from its place behind the head."""
-    return span._replace(line=max(span.line - 1, 1), end_line=max(span.end_line - 1, 1))
+    """A place in the text, from its place behind the head; of one in the head the start of the text."""
+    if span.line == 1:
+        return NOWHERE
+    return span._replace(line=span.line - 1, end_line=span.end_line - 1)

@@ -223,7 +223,8 @@ def _stretch(timeline: Timeline, after: At | None, before: At | None) -> tuple[L
             f"a stretch of this past lies between {first.time!r} s and {timeline.world.time!r} s and ends after it "
             f"starts; got {shown(after)} to {shown(before)}"
         )
-    return _reached(timeline.state(start), start.moment), end
+    state = next(s for s in timeline.backwards(start) if not _idle(s))
+    return _reached(state, start.moment), end
 
 
 def _looks(start: Moment, until: Moment, every: float) -> Iterator[Moment]:
