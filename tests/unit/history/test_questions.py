@@ -251,9 +251,13 @@ def test_what_is_true_for_less_than_a_look_is_found_by_looking_closer() -> None:
 def test_a_window_of_the_clock_is_no_hurdle() -> None:
     timeline = begin(world_of(ship(100.0, 100.0, 0.25))).evolve(3000.0)
     for x in (355.9, 356.0, 612.0, 612.5, 849.0):
+
+        def beyond(world: World, x: float = x) -> bool:
+            return world[1].x >= x
+
         for every in (1.0, 700.0, 5000.0):
-            first = first_time(timeline, lambda w, x=x: w[1].x >= x, every=every)
-            last = last_time(timeline, lambda w, x=x: w[1].x < x, every=every)
+            first = first_time(timeline, beyond, every=every)
+            last = last_time(timeline, lambda w: not beyond(w), every=every)
             assert first is not None
             assert last is not None
             assert when(first) == pytest.approx((x - 100.0) / 0.25)
