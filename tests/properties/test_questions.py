@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from attrs import evolve as with_
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fasteroids import ModelError, World
+from fasteroids import ModelError, World, happenings
 from fasteroids.entities import id_of
 from fasteroids.history import (
     Kind,
@@ -41,31 +41,36 @@ CALM = ("ordinary", "dense", "thin", "corners", "twins")
 KINDS: tuple[Kind, ...] = (
     "event", "contact", "wall", "limit", "tick", "input", "death", "birth", "shot", "print"
 )  # fmt: skip
-MOST = 400  # states of a past: enough for the laws, and a storm of events is left out
 
 
 @st.composite
-def pasts(draw: st.DrawFn, *, programs: bool = True) -> tuple[Timeline, list[Lived]]:
-    """A past of a few seconds with some inputs, perhaps on a branch, and its states as they were lived."""
+def pasts(draw: st.DrawFn) -> tuple[Timeline, list[Lived]]:
+    """A past of some dozen events with some inputs, perhaps on a branch, and its states as they were lived."""
     model = draw(st.sampled_from(["smooth", "robust"]))
     world = draw(
-        worlds(
-            flavours=CALM, min_size=1, max_size=8, thrusters=True, programs=programs, model=model
-        )
+        worlds(flavours=CALM, min_size=1, max_size=6, thrusters=True, programs=True, model=model)
     )
-    timeline, lived = begin(world), 1
-    for _ in range(draw(st.integers(1, 6))):
-        timeline = timeline.evolve(draw(st.sampled_from([0.0, 0.1, 0.2, 0.37, 1.0])))
+    timeline = begin(world)
+    for _ in range(draw(st.integers(1, 5))):
+        try:
+            timeline = timeline.evolve_until(_reach(timeline.world, draw(st.integers(0, 12))))
+        except ModelError:  # jammed: see L14
+            break
         ships = [id_of(s) for s in timeline.world.ships]
         if ships and draw(st.booleans()):
             timeline = timeline.act(draw(st.sampled_from(ships)), draw(actions()))
         if draw(st.integers(0, 4)) == 0:
             at = draw(st.floats(0.0, 1.0)) * timeline.world.time
             timeline = timeline.branch(at)
-        lived = timeline.states
-        if lived > MOST:
-            break
     return timeline, [timeline.first, *timeline.forwards(timeline.first.place)]
+
+
+def _reach(world: World, events: int) -> float:
+    """When so many more events have happened, or a second later."""
+    times = [
+        happened.time for happened, _ in happenings(world, world.time + 1.0, max_events=events)
+    ]
+    return times[-1] if len(times) == events and times else world.time + 1.0
 
 
 def kept(timeline: Timeline, data: st.DataObject) -> Timeline:
@@ -171,7 +176,7 @@ def test_a_moment_found_is_a_boundary_and_the_same_however_states_are_kept(
         assert earlier.place == found.place
     last, once_more = last_time(timeline, holds), last_time(asked, holds)
     assert (last and last.place) == (once_more and once_more.place)
-    assert (found is None) == (last is None) or found is not None
+    assert (found is None) == (last is None)
 
 
 @given(pasts(), st.data())
@@ -187,12 +192,8 @@ def test_every_death_has_a_reason_that_does_not_depend_on_what_is_kept(
             assert death.inevitable <= state.place
             assert str(death) == str(why(timeline, entity))
     for entity in timeline.world.roster.slots:
-        try:
+        with pytest.raises(ModelError, match="is alive at"):
             why(asked, entity)
-        except ModelError as error:
-            assert "alive" in str(error)
-        else:
-            raise AssertionError("who lives did not die")
 
 
 @given(pasts())
@@ -247,28 +248,3 @@ def test_steps_forwards_and_backwards_are_inverse_and_lead_to_what_was_lived(
 
 def _by_machine(state: Lived, entity: int) -> bool:
     return isinstance(getattr(state.world.flight_of(entity).entity, "program", None), Machine)
-
-
-@given(pasts(programs=False), st.data())
-def test_marks_never_hide_what_is_looked_for(
-    past: tuple[Timeline, list[Lived]], data: st.DataObject
-) -> None:
-    """Ids that share a bit are told apart all the same."""
-    timeline, states = past
-    if timeline.world.ships:
-        far = with_(timeline.world.ships[0], id=timeline.world.ships[0].id + 1024, name="far")  # type: ignore[operator]
-        try:
-            timeline = timeline.remove(id_of(timeline.world.ships[0])).add(far).evolve(1.0)
-        except ModelError:  # its id was given already
-            return
-        states = [timeline.first, *timeline.forwards(timeline.first.place)]
-        asked = kept(timeline, data)
-        assert far.id is not None
-        for kind in KINDS:
-            found = next_state(asked, 0.0, kind, far.id)
-            slow = next(
-                (s.place for s in states if s.place > Place(0, 0.0) and is_of(s, kind, far.id)),
-                None,
-            )
-            assert found is None or found.place.time > 0.0
-            del slow

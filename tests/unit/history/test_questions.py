@@ -124,6 +124,15 @@ def test_a_cut_is_about_no_entity(past: Timeline) -> None:
     assert next_state(past, 0.0, "cut", 1) is None
 
 
+def test_entities_whose_ids_share_a_mark_are_told_apart() -> None:
+    world = world_of(rock(100.0, 100.0, -40.0), rock(100.0, 600.0, -10.0, id=1025))
+    timeline = begin(world).evolve(20.0)
+    for thin in (timeline, timeline.thin(0)):
+        first, far = next_state(thin, 0.0, "wall", 1), next_state(thin, 0.0, "wall", 1025)
+        assert when(first) == 2.0
+        assert when(far) == 8.0
+
+
 @pytest.mark.parametrize("at", [nan, -1.0, inf, "1"])
 def test_what_is_no_time_is_refused(past: Timeline, at: float) -> None:
     with pytest.raises(ModelError, match="time"):
