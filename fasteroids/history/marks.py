@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import reduce
-from typing import Final, Literal, NamedTuple, TypeAlias
+from typing import Final, Literal, NamedTuple, TypeAlias, get_args
 
 from fasteroids.actions import Fire
 from fasteroids.events import Happened
@@ -29,27 +29,8 @@ Kind: TypeAlias = Literal[
 """What a search can ask for. An `event` is any of contact, wall, limit and tick. A `shot` is a bullet fired, by a
 program or an input, also one that dies as it is fired."""
 
-_BITS: Final[dict[str, int]] = {
-    kind: 1 << i
-    for i, kind in enumerate(
-        (
-            "event",
-            "contact",
-            "wall",
-            "limit",
-            "tick",
-            "input",
-            "cut",
-            "death",
-            "birth",
-            "shot",
-            "print",
-        )
-    )
-}
-_MOST: Final = (
-    1024  # ids that differ by this share a bit, which costs a search time and nothing else
-)
+_BITS: Final[dict[str, int]] = {kind: 1 << i for i, kind in enumerate(get_args(Kind))}
+_MOST: Final = 1024  # ids that differ by this share a bit: a search then looks where nothing is
 _NOBODY: Final = 1 << _MOST  # of a cut, which is about no entity: found only where none is given
 
 
