@@ -9,12 +9,12 @@ from __future__ import annotations
 from collections.abc import Generator, Iterable
 from typing import NamedTuple, TypeAlias
 
-from attrs import frozen
+from attrs import evolve, frozen
 
 from fasteroids import models
 from fasteroids.events import Happened, unfold
 from fasteroids.history.inputs import Cut, Given, Input, Place, applied
-from fasteroids.moments import Clock
+from fasteroids.moments import Clock, Moment
 from fasteroids.state import World
 
 __all__ = [
@@ -26,6 +26,7 @@ __all__ = [
     "beginning",
     "cuts_decide",
     "lived",
+    "reached",
     "relived",
 ]
 
@@ -105,6 +106,16 @@ def answered(last: Lived, what: Input) -> Lived:
         if died and passing:  # a bullet fired where something was
             died, born = tuple(sorted((*died, *passing))), tuple(sorted((*born, *passing)))
     return Lived(last.place.after(world.now), Told(what, died, born), world)
+
+
+def reached(last: Lived, moment: Moment) -> Lived:
+    """The state as time reaches a moment to which nothing more happens. A look is a cut, if cuts decide."""
+    world = last.world
+    if moment <= world.now:
+        return last
+    clock = (*moment, 0.0)
+    world = answered(last, Cut(clock)).world if cuts_decide(world) else evolve(world, clock=clock)
+    return Lived(last.place.reaching(moment), None, world)
 
 
 def relived(last: Lived, givens: Iterable[Given], until: Clock) -> Past:

@@ -21,15 +21,14 @@ from pyrsistent import PMap, pmap
 
 from fasteroids.actions import Action, Program
 from fasteroids.entities import Entity
-from fasteroids.events import evolve_until
 from fasteroids.history.inputs import Act, Add, Input, Instruct, Place, Remove
 from fasteroids.history.lines import Kept, Line, appended, begun, index_of, kept, thinned
 from fasteroids.history.living import (
     Lived,
     answered,
     beginning,
-    cuts_decide,
     lived,
+    reached,
     relived,
 )
 from fasteroids.history.marks import Marks, marked
@@ -183,10 +182,12 @@ class Timeline:
             raise ModelError(
                 f"this past goes from {first.time!r} s to {last.time!r} s; there is no {shown(time)} s in it"
             )
-        world = self.state(Place(*clock[:2], inf)).world  # type: ignore[arg-type]  # after all of that moment
-        if world.now == clock[:2]:
-            return world if world.clock == clock else evolve(world, clock=clock)
-        return evolve_until(world, time) if cuts_decide(world) else evolve(world, clock=clock)
+        world = self.reached(Place(*clock[:2], inf)).world  # type: ignore[arg-type]  # after all of that moment
+        return world if world.clock == clock else evolve(world, clock=clock)
+
+    def reached(self, place: Place) -> Lived:
+        """The state at a place; at one to which no happening led, the last before it as time reaches its moment."""
+        return reached(self.state(place), min(place.moment, self.world.now))
 
     def state(self, place: Place) -> Lived:
         """The last state that is not after a place: the one right there, if the place is one of this past."""
@@ -270,14 +271,15 @@ class Timeline:
 
     def _looked_up(self, at: float | Place) -> Lived:
         """The state at a time or a place."""
-        if isinstance(at, Place):
-            state = self.state(at) if self.first.place <= at <= self.last.place else None
-            if state is None or state.place != at:
-                raise ModelError(f"there is no place {tuple(at)} in this past")
-            return state
-        world = self.at(at)
-        before = self.state(Place(*world.now, inf))  # type: ignore[arg-type]  # after all of that moment
-        return Lived(before.place.reaching(world.now), None, world)
+        if not isinstance(at, Place):
+            world = self.at(at)
+            before = self.state(Place(*world.now, inf))  # type: ignore[arg-type]  # after all of that moment
+            return Lived(before.place.reaching(world.now), None, world)
+        if self.first.place <= at <= self.last.place:
+            state = self.reached(at)
+            if state.place == at:
+                return state
+        raise ModelError(f"there is no place {tuple(at)} in this past")
 
     def switch(self, name: str) -> Timeline:
         """Time goes on in another line. `ModelError` if there is none of this name."""
