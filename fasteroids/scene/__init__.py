@@ -21,7 +21,7 @@ from fasteroids.moments import ORIGIN, START, moment_at, resolution, seconds, ti
 from fasteroids.overlap import Placed, depth, own_bullet, slack
 from fasteroids.paths import Limited, Parabola
 from fasteroids.scene._draft import Draft, Member, drafted
-from fasteroids.scene._field import MOST_TRIES, scattered
+from fasteroids.scene._field import MOST_TRIES, Field, scattered
 from fasteroids.scene._programs import Read, row_of
 from fasteroids.scene._table import Faults, Table
 from fasteroids.scene._text import Path, Problem, SceneError, parsed, written
@@ -38,7 +38,7 @@ from fasteroids.state import (
 )
 from fasteroids.units import FUEL, ModelError
 
-__all__ = ["Problem", "SceneError", "dump_scene", "load_scene"]
+__all__ = ["Field", "Problem", "SceneError", "dump_scene", "load_scene", "scattered"]
 
 _MOST_OVERLAPS = 100
 """Overlaps reported of one file: n entities in one place have n (n - 1) / 2."""
