@@ -1,0 +1,343 @@
+"""What is on screen, as a value: a timeline, where in it one looks, and how time goes. No terminal is known here.
+
+    session = opened(world, game)
+    session = beat(session, 1 / 30, [(1, Fire())])       a frame of a live game
+    session = scrub(session, "event", -1)                back to the last event: now one looks into the past
+    session = take_over(session)                         and lives on from there, in another line
+
+A session is *live* while one looks at the end of its line; time then lives on. Else one looks into the past, at `at`,
+and time only moves the eye. Game time goes through `Timeline.evolve` alone, by as much as went by on the wall, so a
+slow terminal shows fewer frames of the same game.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from math import inf
+from typing import Final, Literal, TypeAlias
+
+from attrs import evolve, frozen
+from pyrsistent import PMap, pmap
+
+from fasteroids.actions import Action
+from fasteroids.history import (
+    BUDGET,
+    MAIN,
+    Lived,
+    Place,
+    Timeline,
+    begin,
+    next_state,
+    previous_state,
+    why,
+)
+from fasteroids.history.marks import Kind
+from fasteroids.moments import advanced, clock_at
+from fasteroids.state import World
+from fasteroids.tui.game import Game, granted, judged, ruled, wishes
+from fasteroids.units import ModelError
+
+__all__ = [
+    "FRAME",
+    "SPEEDS",
+    "Session",
+    "Unit",
+    "beat",
+    "bookmarked",
+    "doomed",
+    "faster",
+    "game_at",
+    "ghost",
+    "jump",
+    "look",
+    "opened",
+    "paused",
+    "played",
+    "resumed",
+    "reviewed",
+    "scrub",
+    "select_next",
+    "take_over",
+]
+
+Unit: TypeAlias = Literal["frame", "event", "tick", "second"]
+
+FRAME: Final = 1.0 / 30.0
+"""Seconds of a frame, where one scrubs by frames."""
+
+SPEEDS: Final = (0.05, 0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0)
+"""How much game time may go by in a second on the wall."""
+
+LONGEST: Final = 0.25
+"""No beat is longer than this, s: after a stall the game goes on from where it was seen last."""
+
+_Judged: TypeAlias = tuple[tuple[Place, Game], ...]
+
+
+@frozen
+class Session:
+    """A timeline, the game played in it, and how it is looked at.
+
+    `games` tells for each line how the game stood from which place on. `at` is where one looks, None at the end of the
+    line. `running` is 1 if time goes on, -1 if the past is played backwards, else 0.
+    """
+
+    timeline: Timeline
+    games: PMap[str, _Judged]
+    at: Place | None = None
+    running: int = 1
+    speed: float = 1.0
+    selected: int | None = None
+    said: str = ""
+    """One line for the player."""
+
+    @property
+    def live(self) -> bool:
+        """Is it the present that one sees?"""
+        return self.at is None
+
+    @property
+    def place(self) -> Place:
+        """Where one looks."""
+        return self.timeline.last.place if self.at is None else self.at
+
+    @property
+    def world(self) -> World:
+        """The world one sees."""
+        return self.timeline.world if self.at is None else self.timeline.reached(self.at).world
+
+    @property
+    def game(self) -> Game:
+        """The game as it stands where one looks."""
+        return game_at(self, self.place)
+
+
+def opened(world: World, game: Game, *, budget: int = BUDGET) -> Session:
+    """A game that begins with a world."""
+    timeline = begin(world, budget=budget)
+    return Session(timeline, pmap({MAIN: ((timeline.last.place, game),)}))
+
+
+def reviewed(timeline: Timeline, humans: int = 0) -> Session:
+    """A past that was lived elsewhere, looked at from its beginning; its games are judged anew."""
+    first = timeline.first
+    game = ruled(first.world, humans)
+    session = Session(timeline, pmap({timeline.name: ((first.place, game),)}), first.place, 0)
+    return _judged(session, first, timeline.forwards(first.place))
+
+
+def game_at(session: Session, place: Place) -> Game:
+    """The game as it stood at a place of the line."""
+    found = session.games[session.timeline.name]
+    return next((game for since, game in reversed(found) if since <= place), found[0][1])
+
+
+# Time.
+
+
+def beat(session: Session, elapsed: float, actions: Sequence[tuple[int, Action]] = ()) -> Session:
+    """So much time (s) later on the wall. Ships take their actions first, if the game is live and goes on."""
+    span = min(max(elapsed, 0.0), LONGEST) * session.speed
+    if not session.running:
+        return session
+    if session.live:
+        return _lived_on(_acted(session, actions), span)
+    return _moved(session, span * session.running)
+
+
+def _acted(session: Session, actions: Sequence[tuple[int, Action]]) -> Session:
+    for ship, action in actions:
+        if ship in session.timeline.world:
+            session = _grown(session, session.timeline.act(ship, action))
+    return session
+
+
+def _lived_on(session: Session, span: float) -> Session:
+    """The live game some seconds later, with what it wants of the world at the very times it wants it."""
+    clock = advanced(session.timeline.world.clock, span)
+    end = Place(*clock[:2]).time
+    while (wish := wishes(session.game, session.timeline.world)) and wish.time <= end:
+        now = session.timeline.world.time
+        if wish.time > now:
+            session = _grown(session, session.timeline.evolve_until(wish.time))
+        inputs = granted(session.game, session.timeline.world, wish)
+        if not inputs:  # no room yet
+            break
+        for what in inputs:
+            session = _grown(session, session.timeline.take(what))
+    left = max(end - session.timeline.world.time, 0.0)
+    return _grown(session, session.timeline.evolve(span if left >= span else left))
+
+
+def _grown(session: Session, timeline: Timeline) -> Session:
+    """With a timeline whose line has grown."""
+    before = session.timeline.last
+    news = timeline.forwards(before.place)
+    return _judged(evolve(session, timeline=timeline), before, news)
+
+
+def _judged(session: Session, before: Lived, states: Iterable[Lived]) -> Session:
+    """With the game judged by states that come after another."""
+    name = session.timeline.name
+    found = session.games[name]
+    game = found[-1][1]
+    world = before.world
+    for state in states:
+        after = judged(game, world, state)
+        if after is not game:
+            found, game = (*found, (state.place, after)), after
+        world = state.world
+    return evolve(session, games=session.games.set(name, found))
+
+
+def _moved(session: Session, span: float) -> Session:
+    """The past some seconds on or back; it stops at its ends."""
+    first, last = session.timeline.first.world.time, session.timeline.world.time
+    time = session.place.time + span
+    if time >= last:
+        return look(session, session.timeline.last.place)
+    if time <= first:
+        return look(session, session.timeline.first.place)
+    return evolve(session, at=_after_all(session, time))
+
+
+def _after_all(session: Session, time: float) -> Place:
+    """The place after all that happened at a time."""
+    place = Place(*clock_at(time)[:2], inf)  # type: ignore[arg-type]  # more than any number of happenings
+    return session.timeline.reached(place).place
+
+
+# Looking.
+
+
+def look(session: Session, place: Place) -> Session:
+    """One looks at a place of the past, and time stands still. `said` names where, if it is an end."""
+    last = session.timeline.last.place
+    place = min(max(place, session.timeline.first.place), last)
+    return evolve(session, at=place, running=0, said="the end" if place == last else "")
+
+
+def paused(session: Session) -> Session:
+    """Time stands still; if it did already, it goes on."""
+    if session.running:
+        return evolve(session, running=0, said="paused")
+    return resumed(session)
+
+
+def resumed(session: Session, direction: int = 1) -> Session:
+    """Time goes on; in the past the film runs, forwards or backwards."""
+    if session.live and direction < 0:
+        session = look(session, session.place)
+    at = session.at
+    if direction > 0 and at is not None and at >= session.timeline.last.place:
+        at = None
+    return evolve(session, at=at, running=direction, said="")
+
+
+def played(session: Session) -> Session:
+    """Back to the end of the line, where the game goes on when it is resumed."""
+    return evolve(session, at=None, running=0, said="now")
+
+
+def faster(session: Session, step: int) -> Session:
+    """Time goes by faster, or slower, by so many of the `SPEEDS`."""
+    near = min(range(len(SPEEDS)), key=lambda i: abs(SPEEDS[i] - session.speed))
+    speed = SPEEDS[min(max(near + step, 0), len(SPEEDS) - 1)]
+    return evolve(session, speed=speed, said=f"speed x {speed:g}")
+
+
+def scrub(session: Session, unit: Unit, direction: int) -> Session:
+    """One looks one frame, event, tick or second further on or back."""
+    if unit in ("frame", "second"):
+        span = FRAME if unit == "frame" else 1.0
+        time = session.place.time + span * direction
+        first, last = session.timeline.first.world.time, session.timeline.world.time
+        if not first < time < last:
+            end = session.timeline.last if time >= last else session.timeline.first
+            return look(session, end.place)
+        return look(session, _after_all(session, time))
+    entity = session.selected if unit == "tick" and _flies(session) else None
+    return jump(session, "tick" if unit == "tick" else "event", direction, entity=entity)
+
+
+def _flies(session: Session) -> bool:
+    """Does the selected ship run a program?"""
+    world = session.world
+    if session.selected is None or session.selected not in world:
+        return False
+    return getattr(world[session.selected], "program", None) is not None
+
+
+def jump(session: Session, kind: Kind, direction: int, *, entity: int | None = None) -> Session:
+    """One looks at the next or the previous state of a kind, about an entity if one is given."""
+    find = next_state if direction > 0 else previous_state
+    state = find(session.timeline, session.place, kind, entity)
+    if state is None:
+        which = "later" if direction > 0 else "earlier"
+        who = "" if entity is None else f" of #{entity}"
+        return evolve(look(session, session.place), said=f"no {which} {kind}{who}")
+    return evolve(look(session, state.place), said=str(state.what))
+
+
+def select_next(session: Session, step: int) -> Session:
+    """The next entity, or the one before, in the order of ids; ships first."""
+    world = session.world
+    ids = [f.entity.id for f in world.all_flights().values()]
+    kinds = {f.entity.id: f.entity.kind for f in world.all_flights().values()}
+    ids.sort(key=lambda i: (kinds[i] != "ship", i))
+    if not ids:
+        return evolve(session, selected=None)
+    here = (
+        ids.index(session.selected) + step if session.selected in ids else (0 if step > 0 else -1)
+    )
+    chosen = ids[here % len(ids)]
+    return evolve(session, selected=chosen, said=f"{kinds[chosen]} #{chosen}")
+
+
+# Other futures.
+
+
+def take_over(session: Session) -> Session:
+    """Time lives on from where one looks, in another line; the old future stays."""
+    if session.live:
+        return resumed(session)
+    place, name = session.place, session.timeline.name
+    timeline = session.timeline.branch(place)
+    games = tuple(each for each in session.games[name] if each[0] <= place)
+    return evolve(
+        session,
+        timeline=timeline,
+        games=session.games.set(timeline.name, games or session.games[name][:1]),
+        at=None,
+        running=1,
+        said=f"line {timeline.name}, from {place.time:.2f} s",
+    )
+
+
+def ghost(session: Session) -> World | None:
+    """The world of the line this one branched off, at the time one sees; None if it has none or ended before."""
+    parent = session.timeline.line.parent
+    if parent is None or session.place < session.timeline.line.first.place:
+        return None
+    try:
+        return session.timeline.switch(parent).at(session.world.time)
+    except ModelError:
+        return None
+
+
+def bookmarked(session: Session, name: str | None = None) -> Session:
+    """With a name for where one looks; without one it gets the first free number."""
+    marks = session.timeline.bookmarks
+    name = name or next(str(n) for n in range(1, len(marks) + 2) if str(n) not in marks)
+    timeline = session.timeline.bookmark(name, session.place)
+    return evolve(session, timeline=timeline, said=f"bookmark {name}")
+
+
+def doomed(session: Session, ship: int) -> Session:
+    """One looks at the moment a ship's fatal contact became inevitable, and the ship is selected."""
+    try:
+        death = why(session.timeline, ship)
+    except ModelError as error:
+        return evolve(session, said=str(error))
+    session = look(session, death.inevitable)
+    return evolve(session, selected=ship, said=str(death).splitlines()[0])
