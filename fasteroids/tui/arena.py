@@ -1,0 +1,81 @@
+"""The widget that shows frames. All it knows is how an index of the palette is painted and which rows changed.
+
+Measured for Textual 8: one full refresh a frame costs less than refreshing what changed, and a row that is the same
+as before costs nothing if its strip is kept.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from rich.segment import Segment
+from rich.style import Style
+from textual.strip import Strip
+from textual.widget import Widget
+
+from fasteroids.tui import palette
+from fasteroids.tui.camera import Frame
+from fasteroids.tui.canvas import Row
+
+__all__ = ["Arena"]
+
+_BLANK: Final = Style(bgcolor=palette.BACKGROUND)
+_STYLES: Final = tuple(
+    Style(color=colour.hex, bgcolor=palette.BACKGROUND, bold=colour.bold)
+    for colour in palette.COLOURS
+)
+
+
+class Arena(Widget):
+    """Shows one frame at a time. Where a frame is smaller than the widget the rest is blank, where larger it is cut.
+
+    Make frames of `content_size` cells. NO_COLOR is Textual's business: figures, letters and signs tell entities apart.
+    """
+
+    DEFAULT_CSS = f"Arena {{ width: 1fr; height: 1fr; background: {palette.BACKGROUND}; }}"
+
+    def __init__(
+        self, *, name: str | None = None, id: str | None = None, classes: str | None = None
+    ) -> None:
+        super().__init__(name=name, id=id, classes=classes)
+        self._frame = Frame(0, ())
+        self._strips: dict[Row, Strip] = {}
+
+    @property
+    def frame(self) -> Frame:
+        """The frame that is shown."""
+        return self._frame
+
+    def show(self, frame: Frame) -> bool:
+        """Show a frame; False if it equals the one that is shown, and so nothing was done."""
+        if frame == self._frame:
+            return False
+        self._frame = frame
+        kept = self._strips
+        self._strips = {row: kept[row] for row in frame.rows if row in kept}
+        self.refresh()
+        return True
+
+    def render_line(self, y: int) -> Strip:
+        """The cells of a line of the widget."""
+        width, rows = self.size.width, self._frame.rows
+        if y >= len(rows):
+            return Strip.blank(width, _BLANK)
+        row = rows[y]
+        strip = self._strips.get(row)
+        if strip is None:
+            strip = self._strips[row] = Strip(_segments(row), len(row.text))
+        return strip if len(row.text) == width else strip.adjust_cell_length(width, _BLANK)
+
+
+def _segments(row: Row) -> list[Segment]:
+    """A row as text with styles."""
+    text, at, segments = row.text, 0, []
+    for start, end, colour in row.runs:
+        if at < start:
+            segments.append(Segment(text[at:start], _BLANK))
+        segments.append(Segment(text[start:end], _STYLES[colour]))
+        at = end
+    if at < len(text):
+        segments.append(Segment(text[at:], _BLANK))
+    return segments
