@@ -1,0 +1,1 @@
+"""The game in the terminal: a pure core, and a thin shell around it that alone knows textual."""
