@@ -8,7 +8,7 @@ axes, so that circles stay round. Drawn last, and so never hidden, are the ships
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from math import atan2, cos, pi, sin, tau
+from math import cos, pi, sin, tau
 from typing import Final, NamedTuple
 
 from attrs import field, frozen

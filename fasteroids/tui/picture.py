@@ -1,0 +1,164 @@
+"""What a session looks like: the look that the camera takes, and the lines around the arena. Pure.
+
+`Stage` is all that decides a frame: the session, and how the player wants to see it.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import Final
+
+from attrs import evolve, frozen
+
+from fasteroids.entities import Bullet
+from fasteroids.history import Lived, Place, Timeline
+from fasteroids.moments import between
+from fasteroids.state import World, located
+from fasteroids.tui import palette
+from fasteroids.tui.camera import DEATH_LASTS, ZOOMS, Death, Look
+from fasteroids.tui.canvas import SURFACES, Row
+from fasteroids.tui.overlay import Overlay, Point
+from fasteroids.tui.session import Session, ghost
+
+__all__ = ["LEAST", "PANELS_FROM", "View", "clipped", "look_of", "status", "too_small", "zoomed"]
+
+LEAST: Final = (40, 12)
+"""Columns and rows below which nothing but a line is shown."""
+
+PANELS_FROM: Final = (60, 20)
+"""Columns and rows from which on there are panels."""
+
+_TRAIL: Final = 0.25
+"""Seconds of a bullet's way that are seen behind it."""
+
+
+@frozen
+class View:
+    """How a player wants to see a session."""
+
+    arena: str = "ascii"
+    overlay: bool = False
+    ghosts: bool = True
+    panels: bool = True
+    zoom: int = 1
+
+    def switched(self) -> View:
+        """With the next arena."""
+        names = list(SURFACES)
+        return evolve(self, arena=names[(names.index(self.arena) + 1) % len(names)])
+
+
+def zoomed(view: View) -> View:
+    """Nearer, and after the nearest the whole world again."""
+    return evolve(view, zoom=ZOOMS[(ZOOMS.index(view.zoom) + 1) % len(ZOOMS)])
+
+
+def look_of(session: Session, view: View, overlay: Overlay | None = None) -> Look:
+    """The look the camera takes."""
+    world = session.world
+    return Look(
+        arena=view.arena,
+        selected=session.selected,
+        players=_players(session),
+        trails=_trails(world),
+        deaths=_deaths(session.timeline, session.place),
+        overlay=overlay,
+        ghosts=ghost(session) if view.ghosts else None,
+        zoom=view.zoom,
+    )
+
+
+def _players(session: Session) -> tuple[int, ...]:
+    """The ids of the players' ships, in their order. A player without a ship keeps the place of the last one."""
+    found = []
+    for i in range(len(session.game.players)):
+        ids = [
+            g.players[i].ship for _, g in session.games[session.timeline.name] if g.players[i].ship
+        ]
+        here = session.game.players[i].ship
+        found.append(here if here is not None else ids[-1] if ids else 0)
+    return tuple(i for i in found if i)
+
+
+def _trails(world: World) -> tuple[tuple[Point, ...], ...]:
+    """Where each bullet was a moment ago, since it last changed its way."""
+    trails = []
+    for f in world.flights:
+        if f is not None and isinstance(f.entity, Bullet):
+            age = min(between(f.since, world.now), _TRAIL)
+            b = located(f, world.now)
+            trails.append(((b.x - b.vx * age, b.y - b.vy * age), (b.x, b.y)))
+    return tuple(trails)
+
+
+def _deaths(timeline: Timeline, place: Place) -> tuple[Death, ...]:
+    """Who died a moment ago, where."""
+    found: list[Death] = []
+    for state, before in pairwise(_recent(timeline, place)):
+        for i in state.died:
+            if i in before.world:
+                e = located(before.world.flight_of(i), state.world.now)
+                age = between(state.world.now, place.moment)
+                found.append(Death(e.x, e.y, e.radius, age))
+    return tuple(found)
+
+
+def _recent(timeline: Timeline, place: Place) -> list[Lived]:
+    """The states of the last moments, the newest first, and the one before them."""
+    found: list[Lived] = []
+    for state in timeline.backwards(place):
+        found.append(state)
+        if between(state.place.moment, place.moment) > DEATH_LASTS:
+            break
+    return found
+
+
+# The lines around the arena.
+
+
+def status(session: Session, width: int, *, ascii: bool, note: str = "") -> Row:
+    """The line above the arena: the game on the left, time on the right."""
+    game = session.game
+    ship = "^" if ascii else "▲"
+    parts = []
+    if game.mode == "waves":
+        parts.append(f"wave {game.wave}")
+    for rank, p in enumerate(game.players):
+        lives = (
+            f" {ship * p.lives}" if game.mode == "waves" else "" if p.ship is not None else " dead"
+        )
+        parts.append(f"{palette.letter(rank)} {p.name}{lives} {p.points:,}")
+    if game.ended is not None:
+        parts.append(game.ended.upper())
+    left = "   ".join(parts)
+    right = "  ".join(filter(None, (note, _pace(session), f"{session.place.time:.2f} s")))
+    return Row(_justified(left, right, width), ((0, width, palette.WALL),))
+
+
+def _pace(session: Session) -> str:
+    """How time goes."""
+    if session.live:
+        word = "" if session.running else "paused"
+    else:
+        word = {1: "past >", 0: "past", -1: "past <"}[session.running]
+    line = "" if session.timeline.line.parent is None else f"line {session.timeline.name}"
+    speed = "" if session.speed == 1.0 else f"x {session.speed:g}"
+    return "  ".join(filter(None, (line, word, speed)))
+
+
+def _justified(left: str, right: str, width: int) -> str:
+    """Two texts at the ends of a row; the left one is cut if there is no room for both."""
+    room = max(width - len(right) - 1, 0)
+    return f"{left[:room]:<{room}} {right}"[:width].ljust(width)
+
+
+def clipped(text: str, width: int) -> Row:
+    """A line of text in a row."""
+    return Row(text[:width].ljust(width), ((0, width, palette.TRAIL),) if width else ())
+
+
+def too_small(columns: int, rows: int) -> str | None:
+    """What to say of a terminal that is too small; None if it is not."""
+    if columns >= LEAST[0] and rows >= LEAST[1]:
+        return None
+    return f"needs {LEAST[0]} x {LEAST[1]}, has {columns} x {rows}"
