@@ -14,15 +14,17 @@ from math import isfinite
 from typing import Any, Final
 
 from fasteroids import models
+from fasteroids.actions import Program
 from fasteroids.courses import LIMIT, WALLS, course
 from fasteroids.engine import Engine
 from fasteroids.entities import Entity, Ship, moving
 from fasteroids.moments import ORIGIN, resolution, seconds, tick_after
 from fasteroids.overlap import Placed, depth, own_bullet, slack
 from fasteroids.paths import Limited, Parabola
-from fasteroids.scene._draft import Draft, Member, drafted, lone
+from fasteroids.scene._draft import Draft, Member, drafted, lone, lone_program
 from fasteroids.scene._field import MOST_TRIES, scattered
 from fasteroids.scene._programs import Read as Read
+from fasteroids.scene._programs import row_of as program_row
 from fasteroids.scene._table import Faults, Table
 from fasteroids.scene._text import Path, SceneError, parsed
 from fasteroids.scene._text import Problem as Problem
@@ -51,6 +53,8 @@ __all__ = [
     "entity_of",
     "entity_row",
     "load_scene",
+    "program_in",
+    "program_row",
     "world_of",
 ]
 
@@ -97,6 +101,17 @@ def entity_of(kind: str, row: Mapping[str, Any], *, read: Read | None = None) ->
     faults.stop()
     assert entity is not None
     return entity
+
+
+def program_in(row: Mapping[str, Any], *, read: Read | None = None) -> Program | None:
+    """The program that the fields of a row tell, such as `program_row` gives; None if they tell none.
+
+    `SceneError` as `world_of`.
+    """
+    faults = Faults("")
+    program = lone_program(row, faults, read)
+    faults.stop()
+    return program
 
 
 def _read(document: Mapping[str, Any], faults: Faults, read: Read | None) -> World:

@@ -13,6 +13,7 @@ from typing import Any, Final, TypeGuard
 
 from attrs import frozen
 
+from fasteroids.actions import Program
 from fasteroids.entities import Asteroid, Bullet, Entity, Ship
 from fasteroids.moments import (
     START,
@@ -47,7 +48,7 @@ from fasteroids.scene._text import shown
 from fasteroids.state import World
 from fasteroids.units import SPEED_OF_LIGHT, WINDOW, ModelError
 
-__all__ = ["Draft", "Member", "drafted", "lone"]
+__all__ = ["Draft", "Member", "drafted", "lone", "lone_program"]
 
 _MOMENT = Type(
     "must be a number of seconds, or [windows of 1024 s, seconds in the window]",
@@ -193,6 +194,16 @@ def lone(
         faults.add(table, "is for an entity that flies in a world", name)
     member = _member(_KINDS[kind], table, None, {}, None, read, faults)
     return None if member is None or flown else member.entity
+
+
+def lone_program(
+    row: Mapping[str, Any], faults: Faults, read: Read | None = None
+) -> Program | None:
+    """The program that the fields of a row tell; None if they tell none, or if anything is wrong with it."""
+    before = len(faults)
+    table = Table(("ship", 0), "program", row)
+    values = typed(table, FIELDS, (), faults)
+    return program_of(table, values, read, faults) if len(faults) == before else None
 
 
 # [world]

@@ -1,0 +1,237 @@
+"""A recording as it is made: `Recorder` takes the states of a past one by one, and hands on whole lines.
+
+It is pure but for what it hands them to. What it writes depends on what happened and what was told alone, never on
+how often somebody looked (unless cuts decide): so `verify` makes the same lines again from the same past.
+"""
+
+from __future__ import annotations
+
+import platform
+from collections import Counter
+from collections.abc import Callable
+from math import floor, inf
+
+from attrs import evolve
+
+from fasteroids.actions import Program
+from fasteroids.events import Happened
+from fasteroids.history.inputs import Add, Given, Instruct, Place
+from fasteroids.history.living import Lived, Told, cuts_decide
+from fasteroids.history.recording.digests import digest, libm, named
+from fasteroids.history.recording.events import event_line, line
+from fasteroids.history.recording.lines import (
+    Bookmark,
+    Entered,
+    Hash,
+    Header,
+    Line,
+    Print,
+    Result,
+    Snapshot,
+    program_by_name,
+    record_of,
+    texts_in,
+)
+from fasteroids.lang import Machine
+from fasteroids.moments import Clock, Moment, moment_at, seconds
+from fasteroids.scene import document
+from fasteroids.state import World
+from fasteroids.units import ModelError, shown
+
+__all__ = ["EVERY_HASH", "EVERY_SNAPSHOT", "LEAST_EVERY", "Recorder", "headed"]
+
+EVERY_HASH = 1.0
+"""Game seconds from hash to hash."""
+
+EVERY_SNAPSHOT = 10.0
+"""Game seconds from snapshot to snapshot."""
+
+LEAST_EVERY = 2.0**-10
+"""The least of both, s."""
+
+_HELD = 512
+"""Lines that are made before they are handed on together."""
+
+
+def headed(
+    world: World,
+    *,
+    title: str | None = None,
+    slice: float | None = None,
+    every_hash: float = EVERY_HASH,
+    every_snapshot: float = EVERY_SNAPSHOT,
+) -> Header:
+    """The header of a recording that begins with a world, made here and now.
+
+    `ModelError` if a ship has a program that is no text of the language, or a number is not a time above 0.
+    """
+    for what, value in (("every_hash", every_hash), ("every_snapshot", every_snapshot)):
+        if not LEAST_EVERY <= value < inf:
+            raise ModelError(f"{what} must be at least {LEAST_EVERY!r} s; got {shown(value)}")
+    return Header(
+        cuts="recorded" if cuts_decide(world) else "free",
+        world=document(world, row=program_by_name),
+        programs=texts_in(world),
+        libm=libm(),
+        fasteroids=_version(),
+        python=platform.python_version(),
+        model=world.model,
+        fuel=world.fuel,
+        seed=world.seed,
+        every_hash=float(every_hash),
+        every_snapshot=float(every_snapshot),
+        slice=slice,
+        title=title,
+    )
+
+
+def _version() -> str:
+    from importlib.metadata import PackageNotFoundError, version  # slow to load, and for this alone
+
+    try:
+        return version("fasteroids")
+    except PackageNotFoundError:
+        return "unknown"
+
+
+class Recorder:
+    """Makes the lines of a recording of a past that begins with a world.
+
+    `write` gets pieces of text: one or more whole lines each, ASCII. They come when many wait, at each `flush`,
+    and at the end. `size` counts the characters handed on so far, `events` what happened by kind.
+    """
+
+    def __init__(
+        self, write: Callable[[str], object], first: World, header: Header | None = None
+    ) -> None:
+        self._write = write
+        self._lines: list[str] = []
+        self.size = 0
+        self.header = header = headed(first) if header is None else header
+        self.events: Counter[str] = Counter()
+        self._known = dict(header.programs)
+        self._cuts = header.cuts == "recorded"
+        self._world = first
+        self._place = Place(*first.now)
+        self._snapshots: list[tuple[float, int]] = []
+        self._changed_for_hash = self._changed_for_snapshot = False
+        self._hash_due = _next(first.time, header.every_hash)
+        self._snapshot_due = _next(first.time, header.every_snapshot)
+        self._due = min(self._hash_due, self._snapshot_due)
+        self._put(header)
+
+    # What is recorded.
+
+    def add(self, state: Lived) -> None:
+        """The next state of the past. `ModelError` if an input brings a program that is no text of the language."""
+        place, what, world = state
+        if isinstance(what, Happened):
+            time = what.time
+            if time > self._due:
+                self._look(time)
+            if what.prints:
+                for text in what.prints:
+                    self._put(Print(place[:2], what.entities[0], text))
+            self._lines.append(event_line(what, place[:2]))
+            self.events[what.kind] += 1
+            if len(self._lines) >= _HELD:
+                self.flush()
+        elif isinstance(what, Told):
+            self._look(place.time)
+            self._put(self._told(place, what))
+        elif what is not None and self._cuts:
+            self._look(place.time)
+            self._put(Entered(Given(place, what)))
+        else:
+            self._place = place
+            return
+        self._place, self._world = place, world
+        self._changed_for_hash = self._changed_for_snapshot = True
+
+    def _told(self, place: Place, told: Told) -> Entered:
+        """The line of an input, which came before the place that it led to."""
+        what = told.what
+        new: dict[str, str] = {}
+        program: Program | None = None
+        if isinstance(what, Instruct):
+            program = what.program
+        elif isinstance(what, Add):
+            program = getattr(what.entity, "program", None)
+        if isinstance(program, Machine):
+            text = program.code.source
+            name = named(text)
+            if name not in self._known:
+                self._known[name] = new[name] = text
+        return Entered(Given(place._replace(nth=place.nth - 1), what), told.died, told.born, new)
+
+    def bookmark(self, name: str, place: Place | None = None) -> None:
+        """A name for a place; for the last state, if none is given."""
+        self._put(Bookmark(self._place if place is None else place, name))
+
+    def finish(self, clock: Clock, ended: str = "time") -> None:
+        """The end of the recording, at a clock not before the last state; `ended` is a word that tells why."""
+        time = seconds(*clock[:2])
+        if time >= self._due:
+            self._look(time, last=True)
+        self._put(
+            Result(clock, ended, dict(self.events), digest(self._world), tuple(self._snapshots))
+        )
+        self.flush()
+
+    # How.
+
+    def flush(self) -> None:
+        """Hand on what waits."""
+        if self._lines:
+            text = "\n".join(self._lines) + "\n"
+            self._lines.clear()
+            self.size += len(text)
+            self._write(text)
+
+    def _put(self, made: Header | Line) -> None:
+        self._lines.append(line(record_of(made)))
+
+    def _look(self, time: float, *, last: bool = False) -> None:
+        """Write what is due before a time: the world has stayed as it is since then. At a time too, if it is the last.
+
+        Where nothing happened since the last look there is nothing to write: a long silence costs nothing.
+        """
+        hash_due, snapshot_due = self._hash_due, self._snapshot_due
+        if hash_due < snapshot_due:
+            self._look_for_hash(time, last)
+        if time > snapshot_due or (last and time == snapshot_due):
+            if self._changed_for_snapshot:
+                self._snapshot(snapshot_due)
+            self._changed_for_snapshot = False
+            self._snapshot_due = _next(time, self.header.every_snapshot)
+        if hash_due >= snapshot_due:
+            self._look_for_hash(time, last)
+        self._due = min(self._hash_due, self._snapshot_due)
+
+    def _look_for_hash(self, time: float, last: bool) -> None:
+        due = self._hash_due
+        if time > due or (last and time == due):
+            if self._changed_for_hash:
+                self._put(Hash(_moment(due, self._world), digest(self._world)))
+            self._changed_for_hash = False
+            self._hash_due = _next(time, self.header.every_hash)
+
+    def _snapshot(self, time: float) -> None:
+        self.flush()
+        moment = _moment(time, self._world)
+        self._snapshots.append((seconds(*moment), self.size))
+        world = evolve(
+            self._world, clock=(*moment, 0.0)
+        )  # a copy: the cache stays with the one that lives on
+        self._put(Snapshot(moment, document(world, row=program_by_name)))
+
+
+def _next(time: float, every: float) -> float:
+    """The first multiple of an interval after a time (s), or rather that time where doubles are too coarse for it."""
+    count = time / every
+    return inf if count == inf else max((floor(count) + 1) * every, time)
+
+
+def _moment(time: float, world: World) -> Moment:
+    """The moment of a time, but not before the world's: late, a double stands for many moments."""
+    return max(moment_at(time), world.now)
