@@ -68,7 +68,9 @@ def event_line(happened: Happened, moment: Moment) -> str:
     """
     window, offset = moment
     time = happened.time
-    if window and (window >= 2**43 or time - window * WINDOW != offset):
+    if window and (
+        time - window * WINDOW != offset if window < 2**43 else moment_at(time) != moment
+    ):
         told = f'{{"type":"event","time":{time!r},"moment":[{window},{offset!r}],"kind":"'
     else:
         told = f'{{"type":"event","time":{time!r},"kind":"'

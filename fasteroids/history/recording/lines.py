@@ -155,11 +155,12 @@ class Bookmark:
 class Result:
     """How a recording ended: where time had come to, why (`ended`, a word), how many events of each kind there were.
 
-    `hash` is the digest of the last world; `snapshots` tells the time (s) of each snapshot and at which byte of the
-    plain text its line begins.
+    `nth` is that of its place: a recording may end between two events of one moment. `hash` is the digest of the last
+    world; `snapshots` tells the time (s) of each snapshot and at which byte of the plain text its line begins.
     """
 
     clock: Clock
+    nth: int
     ended: str
     events: Mapping[str, int]
     hash: str
@@ -170,6 +171,11 @@ class Result:
     def moment(self) -> Moment:
         """When it ended."""
         return self.clock[:2]
+
+    @property
+    def place(self) -> Place:
+        """Where it ended."""
+        return Place(*self.moment, self.nth)
 
 
 Line: TypeAlias = Entered | Event | Print | Snapshot | Hash | Bookmark | Result
@@ -262,7 +268,7 @@ def program_by_name(program: object) -> dict[str, Any]:
 
 
 def _result(line: Result) -> dict[str, Any]:
-    told: dict[str, Any] = {"type": "result", **when(line.moment)}
+    told: dict[str, Any] = {"type": "result", **_placed(line.place)}
     if line.clock[2] != 0.0:
         told["residue"] = line.clock[2]
     return told | {

@@ -287,7 +287,7 @@ def _bookmark(fields: Fields, _: Texts) -> Line:
 
 
 def _result(fields: Fields, _: Texts) -> Line:
-    clock = fields.clock()
+    clock, nth = fields.clock(), fields.whole("nth")
     ended = fields.text("ended")
     events = Fields(fields.object("events"), '"events"')
     counts = {name: events.whole(name) for name in tuple(events.rest)}
@@ -305,7 +305,7 @@ def _result(fields: Fields, _: Texts) -> Line:
                 f'"snapshots" must be pairs of a time and a place in the file; got {shown(each)}'
             )
         index.append((double(each[0]), each[1]))
-    return Result(clock, ended, counts, value, tuple(index), fields.rest)
+    return Result(clock, nth, ended, counts, value, tuple(index), fields.rest)
 
 
 _READERS: Final[Mapping[str, Callable[[Fields, Texts], Line]]] = {

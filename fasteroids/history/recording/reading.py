@@ -7,7 +7,7 @@ compression is damaged from some byte on, gives what stands before that.
 from __future__ import annotations
 
 import zlib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, Final
 
 from attrs import frozen
@@ -88,8 +88,8 @@ class Recording:
 
         `ModelError` if an input makes no sense where it comes, which only a file that was changed can tell.
         """
-        return self._lived(
-            beginning(self.world), self.lines, self.until if until is None else until
+        return self.lived(
+            beginning(self.world), self.givens, self.until if until is None else until
         )
 
     def at(self, until: Clock) -> World:
@@ -103,7 +103,8 @@ class Recording:
             if isinstance(snapshot, Snapshot) and snapshot.moment <= until[:2]:
                 begun, rest = beginning(self._opened(snapshot, i + 2)), self.lines[i:]
                 break
-        past = self._lived(begun, rest, until)
+        givens = (each.given for each in rest if isinstance(each, Entered))
+        past = self.lived(begun, givens, until)
         while True:
             try:
                 next(past)
@@ -111,9 +112,21 @@ class Recording:
                 last: Lived = stop.value
                 return last.world
 
-    def _lived(self, begun: Lived, lines: tuple[Line, ...], until: Clock) -> Past:
-        givens = (each.given for each in lines if isinstance(each, Entered))
-        return relived(begun, (g for g in givens if g.place[:2] <= until[:2]), until)
+    def lived(self, last: Lived, givens: Iterable[Given], until: Clock) -> Past:
+        """Its past from a state on, through inputs, up to a clock, and not beyond its end: see `Result.nth`."""
+        givens = (each for each in givens if each.place[:2] <= until[:2])
+        end = None if self.result is None else self.result.place
+        past = relived(last, givens, until)
+        while True:
+            try:
+                state = next(past)
+            except StopIteration as stop:
+                reached: Lived = stop.value
+                return reached
+            if end is not None and state.place > end:
+                return last
+            last = state
+            yield last
 
     def _opened(self, snapshot: Snapshot, number: int) -> World:
         try:

@@ -11,7 +11,7 @@ from typing import Any, Final, TypeAlias
 from attrs import evolve, frozen
 
 from fasteroids.history.inputs import Cut, Given, Place
-from fasteroids.history.living import beginning, relived
+from fasteroids.history.living import beginning
 from fasteroids.history.recording.digests import libm
 from fasteroids.history.recording.events import line as text_of
 from fasteroids.history.recording.lines import Bookmark, Line, record_of, time_of
@@ -107,7 +107,7 @@ def _again(recording: Recording, givens: Iterator[Given]) -> Iterator[Record]:
     recorder = Recorder(made.append, recording.world, recording.header)
     recorder.flush()
     made.clear()
-    for state in relived(beginning(recording.world), givens, recording.until):
+    for state in recording.lived(beginning(recording.world), givens, recording.until):
         recorder.add(state)
         recorder.flush()
         yield from _records(made)

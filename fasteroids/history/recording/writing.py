@@ -128,7 +128,7 @@ class Recorder:
         if isinstance(what, Happened):
             time = what.time
             if time > self._due:
-                self._look(time)
+                self._look(place[:2])
             if what.prints:
                 for text in what.prints:
                     self._put(Print(place[:2], what.entities[0], text))
@@ -137,10 +137,10 @@ class Recorder:
             if len(self._lines) >= _HELD:
                 self.flush()
         elif isinstance(what, Told):
-            self._look(place.time)
+            self._look(place[:2])
             self._put(self._told(place, what))
         elif what is not None and self._cuts:
-            self._look(place.time)
+            self._look(place[:2])
             self._put(Entered(Given(place, what)))
         else:
             self._place = place
@@ -169,12 +169,21 @@ class Recorder:
         self._put(Bookmark(self._place if place is None else place, name))
 
     def finish(self, clock: Clock, ended: str = "time") -> None:
-        """The end of the recording, at a clock not before the last state; `ended` is a word that tells why."""
-        time = seconds(*clock[:2])
-        if time >= self._due:
-            self._look(time, last=True)
+        """The end of the recording, at a clock not before the last state; `ended` is a word that tells why.
+
+        Every event up to that clock was recorded, or, if the last state is at its moment, those up to that state.
+        """
+        self._look(clock[:2], last=True)
+        place = self._place.reaching(clock[:2])
         self._put(
-            Result(clock, ended, dict(self.events), digest(self._world), tuple(self._snapshots))
+            Result(
+                clock,
+                place.nth,
+                ended,
+                dict(self.events),
+                digest(self._world),
+                tuple(self._snapshots),
+            )
         )
         self.flush()
 
@@ -191,47 +200,47 @@ class Recorder:
     def _put(self, made: Header | Line) -> None:
         self._lines.append(line(record_of(made)))
 
-    def _look(self, time: float, *, last: bool = False) -> None:
-        """Write what is due before a time: the world has stayed as it is since then. At a time too, if it is the last.
+    def _look(self, now: Moment, *, last: bool = False) -> None:
+        """Write what is due before a moment: the world has stayed as it is since then. If it is the last, at it too.
 
         Where nothing happened since the last look there is nothing to write: a long silence costs nothing.
         """
         hash_due, snapshot_due = self._hash_due, self._snapshot_due
         if hash_due < snapshot_due:
-            self._look_for_hash(time, last)
-        if time > snapshot_due or (last and time == snapshot_due):
+            self._look_for_hash(now, last)
+        if _has_come(snapshot_due, now, last):
             if self._changed_for_snapshot:
-                self._snapshot(snapshot_due)
+                self._snapshot(self._moment(snapshot_due, now))
             self._changed_for_snapshot = False
-            self._snapshot_due = _next(time, self.header.every_snapshot)
+            self._snapshot_due = _next(seconds(*now), self.header.every_snapshot)
         if hash_due >= snapshot_due:
-            self._look_for_hash(time, last)
+            self._look_for_hash(now, last)
         self._due = min(self._hash_due, self._snapshot_due)
 
-    def _look_for_hash(self, time: float, last: bool) -> None:
-        due = self._hash_due
-        if time > due or (last and time == due):
+    def _look_for_hash(self, now: Moment, last: bool) -> None:
+        if _has_come(self._hash_due, now, last):
             if self._changed_for_hash:
-                self._put(Hash(_moment(due, self._world), digest(self._world)))
+                self._put(Hash(self._moment(self._hash_due, now), digest(self._world)))
             self._changed_for_hash = False
-            self._hash_due = _next(time, self.header.every_hash)
+            self._hash_due = _next(seconds(*now), self.header.every_hash)
 
-    def _snapshot(self, time: float) -> None:
+    def _snapshot(self, moment: Moment) -> None:
         self.flush()
-        moment = _moment(time, self._world)
         self._snapshots.append((seconds(*moment), self.size))
-        world = evolve(
-            self._world, clock=(*moment, 0.0)
-        )  # a copy: the cache stays with the one that lives on
+        world = evolve(self._world, clock=(*moment, 0.0))  # a copy: it leaves the cache where it is
         self._put(Snapshot(moment, document(world, row=program_by_name)))
+
+    def _moment(self, due: float, now: Moment) -> Moment:
+        """The moment of a time, between the last change and now: late, a double stands for many moments."""
+        return min(max(moment_at(due), self._world.now), now)
+
+
+def _has_come(due: float, now: Moment, last: bool) -> bool:
+    time = seconds(*now)
+    return time > due or (last and time == due)
 
 
 def _next(time: float, every: float) -> float:
     """The first multiple of an interval after a time (s), or rather that time where doubles are too coarse for it."""
     count = time / every
     return inf if count == inf else max((floor(count) + 1) * every, time)
-
-
-def _moment(time: float, world: World) -> Moment:
-    """The moment of a time, but not before the world's: late, a double stands for many moments."""
-    return max(moment_at(time), world.now)
