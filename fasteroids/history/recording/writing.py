@@ -9,23 +9,23 @@ from __future__ import annotations
 import platform
 from collections import Counter
 from collections.abc import Callable
+from functools import cache
 from math import floor, inf
 
 from attrs import evolve
 
 from fasteroids.actions import Program
 from fasteroids.events import Happened
-from fasteroids.history.inputs import Add, Given, Instruct, Place
+from fasteroids.history.inputs import Add, Cut, Given, Instruct, Place
 from fasteroids.history.living import Lived, Told, cuts_decide
 from fasteroids.history.recording.digests import digest, libm, named
-from fasteroids.history.recording.events import event_line, line
+from fasteroids.history.recording.events import event_line, line, print_line
 from fasteroids.history.recording.lines import (
     Bookmark,
     Entered,
     Hash,
     Header,
     Line,
-    Print,
     Result,
     Snapshot,
     program_by_name,
@@ -41,10 +41,19 @@ from fasteroids.units import ModelError, shown
 __all__ = ["EVERY_HASH", "EVERY_SNAPSHOT", "LEAST_EVERY", "Recorder", "headed"]
 
 EVERY_HASH = 1.0
-"""Game seconds from hash to hash."""
+"""Game seconds from hash to hash, if enough happened in them."""
+
+HAPPENINGS_A_HASH = 2
 
 EVERY_SNAPSHOT = 10.0
-"""Game seconds from snapshot to snapshot."""
+"""Game seconds from snapshot to snapshot, if enough happened in them."""
+
+HAPPENINGS_A_SNAPSHOT = 25
+"""For each entity in the world so much must happen before the next hash or snapshot.
+
+What one of them costs grows with the entities, and is then a hundredth or two of what it cost to live so far. Where
+little happens a past is lived again in no time, and needs fewer snapshots.
+"""
 
 LEAST_EVERY = 2.0**-10
 """The least of both, s."""
@@ -85,6 +94,7 @@ def headed(
     )
 
 
+@cache
 def _version() -> str:
     from importlib.metadata import PackageNotFoundError, version  # slow to load, and for this alone
 
@@ -114,7 +124,7 @@ class Recorder:
         self._world = first
         self._place = Place(*first.now)
         self._snapshots: list[tuple[float, int]] = []
-        self._changed_for_hash = self._changed_for_snapshot = False
+        self._since_hash = self._since_snapshot = 0  # happenings
         self._hash_due = _next(first.time, header.every_hash)
         self._snapshot_due = _next(first.time, header.every_snapshot)
         self._due = min(self._hash_due, self._snapshot_due)
@@ -125,13 +135,13 @@ class Recorder:
     def add(self, state: Lived) -> None:
         """The next state of the past. `ModelError` if an input brings a program that is no text of the language."""
         place, what, world = state
-        if isinstance(what, Happened):
+        if type(what) is Happened:
             time = what.time
             if time > self._due:
                 self._look(place[:2])
             if what.prints:
                 for text in what.prints:
-                    self._put(Print(place[:2], what.entities[0], text))
+                    self._lines.append(print_line(text, what.entities[0], place[:2]))
             self._lines.append(event_line(what, place[:2]))
             self.events[what.kind] += 1
             if len(self._lines) >= _HELD:
@@ -139,14 +149,15 @@ class Recorder:
         elif isinstance(what, Told):
             self._look(place[:2])
             self._put(self._told(place, what))
-        elif what is not None and self._cuts:
+        elif isinstance(what, Cut) and self._cuts:
             self._look(place[:2])
             self._put(Entered(Given(place, what)))
         else:
             self._place = place
             return
         self._place, self._world = place, world
-        self._changed_for_hash = self._changed_for_snapshot = True
+        self._since_hash += 1
+        self._since_snapshot += 1
 
     def _told(self, place: Place, told: Told) -> Entered:
         """The line of an input, which came before the place that it led to."""
@@ -203,15 +214,15 @@ class Recorder:
     def _look(self, now: Moment, *, last: bool = False) -> None:
         """Write what is due before a moment: the world has stayed as it is since then. If it is the last, at it too.
 
-        Where nothing happened since the last look there is nothing to write: a long silence costs nothing.
+        Where little happened since the last time there is nothing to write: a long silence costs nothing.
         """
         hash_due, snapshot_due = self._hash_due, self._snapshot_due
         if hash_due < snapshot_due:
             self._look_for_hash(now, last)
         if _has_come(snapshot_due, now, last):
-            if self._changed_for_snapshot:
+            if self._since_snapshot >= HAPPENINGS_A_SNAPSHOT * max(len(self._world), 1):
                 self._snapshot(self._moment(snapshot_due, now))
-            self._changed_for_snapshot = False
+                self._since_snapshot = 0
             self._snapshot_due = _next(seconds(*now), self.header.every_snapshot)
         if hash_due >= snapshot_due:
             self._look_for_hash(now, last)
@@ -219,9 +230,9 @@ class Recorder:
 
     def _look_for_hash(self, now: Moment, last: bool) -> None:
         if _has_come(self._hash_due, now, last):
-            if self._changed_for_hash:
+            if self._since_hash >= HAPPENINGS_A_HASH * max(len(self._world), 1):
                 self._put(Hash(self._moment(self._hash_due, now), digest(self._world)))
-            self._changed_for_hash = False
+                self._since_hash = 0
             self._hash_due = _next(seconds(*now), self.header.every_hash)
 
     def _snapshot(self, moment: Moment) -> None:
