@@ -9,6 +9,7 @@ from typing import Any, Final
 
 from fasteroids.actions import Action, Fire, Skip, Thrust, ThrustOff, Turn
 from fasteroids.events import Happened
+from fasteroids.history.inputs import Place
 from fasteroids.lang import Span
 from fasteroids.moments import Moment, moment_at, seconds
 from fasteroids.units import WINDOW
@@ -62,16 +63,16 @@ def when(moment: Moment) -> dict[str, Any]:
     return {"time": time} if moment_at(time) == moment else {"time": time, "moment": list(moment)}
 
 
-def event_line(happened: Happened, moment: Moment) -> str:
-    """The line of an event, but for its prints, which have lines of their own.
+def event_line(happened: Happened, place: Place) -> str:
+    """The line of an event, from the place after it, but for its prints, which have lines of their own.
 
     It is `line` of `event_record` with the type and the moment (a test compares them), at a fifth of the price.
     """
-    window, offset = moment
+    window, offset, _ = place
     time, entities, at = happened.time, happened.entities, happened.at
     exact = more = ""
     if window and (
-        time - window * WINDOW != offset if window < 2**43 else moment_at(time) != moment
+        time - window * WINDOW != offset if window < 2**43 else moment_at(time) != place.moment
     ):
         exact = f',"moment":[{window},{offset!r}]'
     if happened.died or happened.born or happened.clipped or happened.span is not None:
