@@ -266,7 +266,7 @@ def test_what_is_in_the_file_is_never_older_than_a_second(packed: bool) -> None:
     world, watch, file = crowd(model="smooth", seed=3), Watch(), io.BytesIO()
     recording = RecordingFile(file, world, clock=watch, packed=packed)
     came: list[float] = []
-    for state in states(world, 12.0)[:-1]:
+    for state in states(world, 4.0)[:-1]:
         watch.time += 0.37 if len(came) % 5 else 0.05
         came.append(watch.time)
         recording.add(state)
