@@ -8,15 +8,15 @@ import json
 from itertools import islice
 from typing import Any
 
+from attrs import evolve as with_fields
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from fasteroids import ModelError, Ship, World
 from fasteroids.entities import id_of
 from fasteroids.history.inputs import Act, Add, Instruct, Remove
-from fasteroids.history.living import Lived, answered, beginning, lived
+from fasteroids.history.living import Lived, Past, answered, beginning, lived
 from fasteroids.history.recording import (
-    Event,
     Recording,
     RecordingError,
     RecordingFile,
@@ -72,7 +72,7 @@ def _moved(draw: st.DrawFn, state: Lived, move: str) -> list[Lived]:
     ships = [i for i, e in world.entities.items() if isinstance(e, Ship)]
     match move:
         case "run":
-            return list(islice(lived(state, clock_at(FOREVER)), draw(st.integers(1, 12))))[:12]
+            return list(islice(lived(state, clock_at(FOREVER)), draw(st.integers(1, 40))))
         case "cut":
             after = next(lived(state, clock_at(FOREVER)))
             gap = between(world.now, after.world.now)
@@ -90,21 +90,11 @@ def _moved(draw: st.DrawFn, state: Lived, move: str) -> list[Lived]:
             gone = world[draw(st.sampled_from(list(world.entities)))]
             state = answered(state, Remove(id_of(gone)))
             try:
-                again = answered(state, Add(_anew(gone)))
+                again = answered(state, Add(with_fields(gone, id=None)))
             except ModelError:  # the rounding that was forgiven to the old one
                 return [state]
             return [state, again]
     return []
-
-
-def _anew(entity: Any) -> Any:
-    from attrs import evolve
-
-    return evolve(entity, id=None)
-
-
-def events(recording: Recording) -> list[Event]:
-    return [line for line in recording.lines if isinstance(line, Event)]
 
 
 @world_law
@@ -140,15 +130,27 @@ def test_a_recording_is_written_again_as_it_was(made: tuple[bytes, Lived]) -> No
 
 
 @world_law
-@given(recorded(BURNING))
-def test_every_snapshot_is_a_world_with_the_same_future(made: tuple[bytes, Lived]) -> None:
+@given(recorded(BURNING), st.floats(0.0, 1.0))
+def test_any_moment_lived_from_a_snapshot_is_that_lived_from_the_first_world(
+    made: tuple[bytes, Lived], share: float
+) -> None:
     recording = read(made[0])
-    for line in recording.lines:
-        if isinstance(line, Snapshot):
-            world = recording.at((*line.moment, 0.0))
-            *_, state = [beginning(recording.world), *recording.past((*line.moment, 0.0))]
-            if recording.header.cuts == "free":
-                assert world.all_flights() == state.world.all_flights()
+    moments = [(*line.moment, 0.0) for line in recording.lines if isinstance(line, Snapshot)]
+    start, end = recording.world.time, recording.time
+    if start < (time := start + share * (end - start)) < end:
+        moments.append(clock_at(time))
+    for moment in moments:
+        assert recording.at(moment) == ended(recording.past(moment))
+
+
+def ended(past: Past) -> World:
+    """The last world of a past."""
+    while True:
+        try:
+            next(past)
+        except StopIteration as stop:
+            world: World = stop.value.world
+            return world
 
 
 @world_law

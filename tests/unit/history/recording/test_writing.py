@@ -9,6 +9,7 @@ from math import inf, nan
 from typing import Any
 
 import pytest
+from attrs import evolve as with_fields
 from jsonschema import Draft202012Validator
 
 from fasteroids import Happened, ModelError, Ship, Turn, World, evolve_until
@@ -137,14 +138,8 @@ def test_the_line_of_an_event_is_the_json_of_its_record(
     told = when(moment)
     record = {"type": "event", **told}
     record |= {k: v for k, v in event_record(happened).items() if k not in ("time", "prints")}
-    happened = _at(happened, told["time"])
+    happened = with_fields(happened, time=told["time"])
     assert event_line(happened, Place(*moment, 1)) == line(record)
-
-
-def _at(happened: Happened, time: float) -> Happened:
-    from attrs import evolve
-
-    return evolve(happened, time=time)
 
 
 def test_prints_stand_before_the_event_of_their_tick() -> None:
