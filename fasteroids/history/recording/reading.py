@@ -25,7 +25,8 @@ from fasteroids.history.recording.lines import (
     Snapshot,
     record_of,
 )
-from fasteroids.history.recording.parsing import Texts, header_of, line_of, parsed, reader, told
+from fasteroids.history.recording.parsing import Texts, header_of, line_of, reader, told
+from fasteroids.history.recording.strict import parsed
 from fasteroids.moments import Clock, Moment, seconds
 from fasteroids.scene import world_of
 from fasteroids.state import World
