@@ -17,7 +17,7 @@ from fasteroids.tui import palette
 from fasteroids.tui.camera import Frame
 from fasteroids.tui.canvas import Row
 
-__all__ = ["Arena"]
+__all__ = ["Arena", "painted"]
 
 _BLANK: Final = Style(bgcolor=palette.BACKGROUND)
 _STYLES: Final = tuple(
@@ -66,6 +66,12 @@ class Arena(Widget):
         if strip is None:
             strip = self._strips[row] = Strip(_segments(row), len(row.text))
         return strip if len(row.text) == width else strip.adjust_cell_length(width, _BLANK)
+
+
+def painted(row: Row, width: int) -> Strip:
+    """A row as a strip of a width."""
+    strip = Strip(_segments(row), len(row.text))
+    return strip if len(row.text) == width else strip.adjust_cell_length(width, _BLANK)
 
 
 def _segments(row: Row) -> list[Segment]:

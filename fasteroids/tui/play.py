@@ -1,0 +1,232 @@
+"""The screen of a game: it tells the time, reads keys, and shows what the session has become. The rest is pure."""
+
+from __future__ import annotations
+
+from time import perf_counter
+from typing import ClassVar, Final
+
+from textual import events
+from textual.app import ComposeResult
+from textual.binding import BindingType
+from textual.containers import Horizontal, Vertical
+from textual.message import Message
+from textual.screen import Screen
+from textual.timer import Timer
+
+from fasteroids.entities import Ship
+from fasteroids.events import Happened
+from fasteroids.tui.arena import Arena
+from fasteroids.tui.camera import Frame, frame
+from fasteroids.tui.commanding import commanded, viewed
+from fasteroids.tui.controls import Hands, acted, let_go, pressed, released, reported, synced
+from fasteroids.tui.keeping import Keeper
+from fasteroids.tui.keyboard import KeyAgain, KeyboardReport, KeyUp
+from fasteroids.tui.keys import FLIGHT, Command, Keymap
+from fasteroids.tui.overlay import Overlay, overlay
+from fasteroids.tui.panels import Rows
+from fasteroids.tui.picture import PANELS_FROM, View, clipped, look_of, status, too_small
+from fasteroids.tui.session import Session, beat
+from fasteroids.tui.sound import Sound, effect_of
+
+__all__ = ["Play"]
+
+_FORESEEN: Final = 0.2
+"""Seconds of wall time for which a prediction is drawn before it is made anew."""
+
+
+class Play(Screen[None], inherit_bindings=False):
+    """A session on screen. It posts `Play.Asked` for what needs another screen."""
+
+    BINDINGS: ClassVar[list[BindingType]] = []
+    DEFAULT_CSS = """
+    Play { layout: vertical; }
+    Play #middle { height: 1fr; }
+    Play #status, Play #strip, Play #said { height: 1; }
+    Play #side { width: 38; display: none; }
+    Play.wide #side { display: block; }
+    """
+
+    class Asked(Message):
+        """A command that this screen does not do by itself."""
+
+        def __init__(self, command: Command) -> None:
+            super().__init__()
+            self.command = command
+
+    def __init__(
+        self, session: Session, *, view: View, keymap: Keymap, fps: int, keeper: Keeper | None, sound: Sound
+    ) -> None:  # fmt: skip
+        super().__init__()
+        self.session, self.view, self.keymap = session, view, keymap
+        self.hands = Hands()
+        self.frames = 0
+        self._fps, self._keeper, self._sound = fps, keeper, sound
+        self._last = 0.0
+        self._timer: Timer | None = None
+        self._overlay: Overlay | None = None
+        self._foreseen = -1.0
+
+    def compose(self) -> ComposeResult:
+        """A line above, the arena and the panes, two lines below."""
+        yield Rows(id="status")
+        with Horizontal(id="middle"):
+            yield Arena(id="arena")
+            with Vertical(id="side"):
+                yield Rows(id="pane")
+        yield Rows(id="strip")
+        yield Rows(id="said")
+
+    def on_mount(self) -> None:
+        """Time begins."""
+        self._last = perf_counter()
+        self._timer = self.set_interval(1.0 / self._fps, self._beat)
+        self._keep()
+
+    def on_unmount(self) -> None:
+        """The recording gets its end."""
+        if self._keeper is not None:
+            self._keeper.close()
+
+    # Time.
+
+    def _beat(self) -> None:
+        now = perf_counter()
+        elapsed, self._last = now - self._last, now
+        if self.is_current:
+            self.go_on(elapsed)
+
+    def go_on(self, elapsed: float) -> None:
+        """So much wall time (s) later."""
+        before = self.session
+        actions = []
+        if before.live and before.running:
+            self.hands, told = acted(self.hands, elapsed * before.speed)
+            humans = [p for p in before.game.players if p.human]
+            actions = [
+                (ship, action)
+                for player, action in told
+                if player <= len(humans) and (ship := humans[player - 1].ship) is not None
+            ]
+        self.become(beat(before, elapsed, actions))
+
+    def become(self, session: Session) -> None:
+        """Show another session."""
+        before, self.session = self.session, session
+        if session.timeline is not before.timeline:
+            self._keep()
+            if session.live and session.timeline.name == before.timeline.name:
+                self._heard(before)
+            self._take_hands(before)
+        self.picture()
+
+    def _keep(self) -> None:
+        if self._keeper is not None:
+            self._keeper.follow(self.session)
+
+    def _heard(self, before: Session) -> None:
+        for state in self.session.timeline.forwards(before.timeline.last.place):
+            if isinstance(state.what, Happened) and (effect := effect_of(state.what)):
+                self._sound.play(effect)
+
+    def _take_hands(self, before: Session) -> None:
+        """A player with another ship, or in another line, has the thruster as that ship has it."""
+        old = [p.ship for p in before.game.players if p.human]
+        humans = [p.ship for p in self.session.game.players if p.human]
+        for number, ship in enumerate(humans[:2], 1):
+            moved = self.session.timeline.name != before.timeline.name
+            if ship is not None and (moved or number > len(old) or old[number - 1] != ship):
+                flown = self.session.timeline.world[ship]
+                assert isinstance(flown, Ship)
+                self.hands = synced(self.hands, 1 if number == 1 else 2, flown.thruster)
+
+    # Keys.
+
+    def on_key(self, event: events.Key) -> None:
+        """A key went down."""
+        command = self.keymap.command(event.key)
+        if command is None:
+            return
+        event.stop()
+        event.prevent_default()
+        self.command(command, again=isinstance(event, KeyAgain))
+
+    def command(self, command: Command, *, again: bool = False) -> None:
+        """Do what a command asks."""
+        if command in FLIGHT:
+            if not self.session.live and not again:
+                return
+            self.hands = pressed(self.hands, command, again=again)
+            return
+        if (view := viewed(self.view, command)) is not None:
+            self.view = view
+            self._foreseen = -1.0
+            self._laid_out()
+            self.picture()
+            return
+        session = commanded(self.session, command)
+        if session is None:
+            self.post_message(self.Asked(command))
+            return
+        self.hands = let_go(self.hands)
+        self._foreseen = -1.0
+        self.become(session)
+
+    def on_key_up(self, event: KeyUp) -> None:
+        """A key went up, where the terminal tells."""
+        self.hands = released(self.hands, self.keymap.command(event.key))
+
+    def on_keyboard_report(self, event: KeyboardReport) -> None:
+        """The terminal says whether it tells of keys that go up."""
+        if event.key_up:
+            self.hands = reported(self.hands)
+
+    def on_app_blur(self) -> None:
+        """Somebody looks elsewhere: nothing stays held."""
+        self.hands = let_go(self.hands)
+
+    # Pictures.
+
+    def on_resize(self) -> None:
+        """Another size: the panes come and go."""
+        self._laid_out()
+        self.call_after_refresh(self.picture)
+
+    def _laid_out(self) -> None:
+        columns, rows = self.size
+        wide = self.view.panels and columns >= PANELS_FROM[0] and rows >= PANELS_FROM[1]
+        self.set_class(wide and columns >= 100, "wide")
+
+    def picture(self) -> None:
+        """Show the session as it is."""
+        if not self.is_mounted:
+            return
+        columns, rows = self.size
+        small = too_small(columns, rows)
+        arena = self.query_one(Arena)
+        self.frames += 1
+        if small is not None:
+            arena.show(Frame(columns, (clipped(small, columns),)))
+            for name in ("#status", "#strip", "#said"):
+                self.query_one(name, Rows).show(())
+            return
+        width, height = arena.content_size
+        arena.show(
+            frame(
+                self.session.world, look_of(self.session, self.view, self._ahead()), width, height
+            )
+        )
+        ascii = self.view.arena == "ascii"
+        note = "keys: held" if self.hands.mode == "held" else "keys: steps"
+        self.query_one("#status", Rows).show(
+            [status(self.session, columns, ascii=ascii, note=note)]
+        )
+        self.query_one("#said", Rows).show([clipped(self.session.said, columns)])
+
+    def _ahead(self) -> Overlay | None:
+        """What is to come, made anew now and then."""
+        if not self.view.overlay:
+            return None
+        now = perf_counter()
+        if self._overlay is None or self._foreseen < 0.0 or now - self._foreseen > _FORESEEN:
+            self._overlay, self._foreseen = overlay(self.session.world), now
+        return self._overlay
