@@ -16,7 +16,7 @@ from random import Random
 from statistics import median
 from time import process_time
 
-from benchmarks.measure import Effort, Figure, Table
+from benchmarks.measure import Effort, Figure, Table, figure
 from fasteroids import Ship, World, check_program, parse_program
 from fasteroids.history import Timeline, begin, next_state, previous_state
 
@@ -28,6 +28,7 @@ ASKED = 400  # questions of a kind
 NEAR = 0.2  # s
 STEPS = 8  # questions near the last place, after one far from it
 MB = 1e6
+WITHOUT_END = 2**50  # a budget that nothing reaches
 
 PROGRAM = "double a; while (true) { a := a + 0.1; turn a; thrust; skip; thrust_off; }"
 
@@ -39,7 +40,8 @@ def game(seed: int = 1) -> World:
     world = World(1400.0, 1000.0, seed, "smooth")
     return world.add_all(
         Ship(
-            100.0 + 200.0 * (i % 7), 100.0 + 200.0 * (i // 7), random.uniform(-110.0, 110.0), random.uniform(-110.0, 110.0),
+            100.0 + 200.0 * (i % 7), 100.0 + 200.0 * (i // 7),
+            random.uniform(-110.0, 110.0), random.uniform(-110.0, 110.0),
             random.uniform(10.0, 40.0), 5e15, random.uniform(0.0, tau), program=pilot if i < 2 else None,
         )
         for i in range(30)
@@ -101,56 +103,51 @@ def traced_bytes(seconds: float, budget: int) -> tuple[float, float]:
 
 
 def history(effort: Effort) -> Table:
-    """Ten minutes thinned to several budgets, and an hour."""
+    """Ten minutes whole and thinned, an hour within its budget, and the price a timeline tells beside the real one."""
     seconds = max(2.0, TEN_MINUTES * effort.share)
-    whole = played(seconds, 2**40)
-    rows: list[Figure] = []
-    rate = whole.states / seconds
-    rows.append(_one("kept states a second, unthinned", rate, "a second"))
-    for share in (1.0, 0.25, 1 / 16, 1 / 64):
-        timeline = whole if share == 1.0 else whole.thin(int(whole.bytes * share))
-        size = f"{timeline.bytes / MB:,.1f} MB, {timeline.states:,} states"
-        rows += _asked(f"{seconds:,.0f} s in {size}", timeline, effort)
+    whole = played(seconds, WITHOUT_END)
+    rows = [_one("kept states a second, nothing thinned", whole.states / seconds)]
+    for part in (1, 4, 16):
+        timeline = whole if part == 1 else whole.thin(whole.bytes // part)
+        rows += _asked(f"{seconds:,.0f} s", timeline, effort, bounds=part == 1)
     hour = max(4.0, HOUR * effort.share)
-    budget = int(BUDGET * hour / HOUR)
-    long = played(hour, budget)
+    budget = BUDGET * hour / HOUR
+    timeline = played(hour, int(budget))
+    rows.append(_one(f"{hour:,.0f} s, its bytes", timeline.bytes / MB, "MB", budget / MB))
+    rows += _asked(f"{hour:,.0f} s", timeline, effort, bounds=True)
+    told, found = traced_bytes(seconds / 4.0, WITHOUT_END)
     rows.append(
-        _one(f"{hour:,.0f} s, bytes of its kept states", long.bytes / MB, "MB", budget / MB)
+        _one(f"bytes told over bytes allocated, {seconds / 4.0:,.0f} s whole", told / found)
     )
-    rows += _asked(f"{hour:,.0f} s in that", long, effort)
-    short = seconds / 10.0
-    told, found = traced_bytes(short, 2**40)
-    rows.append(_one(f"bytes told over bytes allocated, {short:,.0f} s unthinned", told / found))
-    told, found = traced_bytes(short, int(told * MB / 8))
-    rows.append(_one("the same, thinned to an eighth", told / found))
+    told, found = traced_bytes(seconds / 4.0, int(told * MB / 4.0))
+    rows.append(_one("the same, thinned to a quarter", told / found))
     return Table(
         "Questions to a past of 30 entities",
         rows,
-        "Processor time of single questions: median, fastest and slowest; a bound is for the slowest, with the collector "
-        "at rest. `near` is within 0.2 s or a few happenings of the question before.",
+        "Processor time of one question (at, next, previous: as many of each), with the collector at rest. Near: within "
+        f"{NEAR} s of the question before, or the next happening from its answer.",
     )
 
 
-def _asked(what: str, timeline: Timeline, effort: Effort) -> list[Figure]:
+def _asked(what: str, timeline: Timeline, effort: Effort, *, bounds: bool) -> list[Figure]:
     gc.collect()
     gc.disable()
     try:
-        found = answers(timeline, 1, max(2, round(ASKED * min(1.0, effort.share))))
+        found = answers(timeline, 1, max(2, round(ASKED * effort.share)))
     finally:
         gc.enable()
-    bounds = {"anywhere": 50.0, "near": 5.0}
-    return [
-        Figure(
-            f"{what}: {name}",
-            max(times),
-            min(times),
-            median(times),
-            "ms",
-            below=bounds[name.split(", ")[1]],
+    what = f"{what} in {timeline.bytes / MB:.3g} MB, {timeline.states:,} states"
+    rows = []
+    for where, bound in (("anywhere", 50.0), ("near", 5.0)):
+        times = [t for name, each in found.items() if name.endswith(where) for t in each]
+        rows.append(figure(f"{what}: {where}", times, "ms"))
+        rows.append(
+            _one(
+                f"the slowest of them ({len(times):,})", max(times), "ms", bound if bounds else None
+            )
         )
-        for name, times in found.items()
-    ]
+    return rows
 
 
 def _one(what: str, value: float, unit: str = "", below: float | None = None) -> Figure:
-    return Figure(what, value, value, value, unit, below=below)
+    return figure(what, [value], unit, below=below)
