@@ -13,7 +13,6 @@ from collections.abc import Callable
 from functools import partial
 from math import tau
 from random import Random
-from statistics import median
 from time import process_time
 
 from benchmarks.measure import Effort, Figure, Table, figure
@@ -124,7 +123,7 @@ def history(effort: Effort) -> Table:
     return Table(
         "Questions to a past of 30 entities",
         rows,
-        "Processor time of one question (at, next, previous: as many of each), with the collector at rest. Near: within "
+        "Processor time of one question (at, next, previous alike), with the collector at rest. Near: within "
         f"{NEAR} s of the question before, or the next happening from its answer.",
     )
 
