@@ -244,7 +244,9 @@ def _stop(timeline: Timeline, ship: int, place: Place) -> Lived | None:
     for state in timeline.backwards(place, wanted("tick", ship)):
         what = state.what
         if isinstance(what, Happened) and what.kind == "tick" and what.entities == (ship,):
-            return state if what.effect in ("halt", "end") else None
+            flown = state.world[ship] if ship in state.world else None
+            program = flown.program if isinstance(flown, Ship) else None
+            return state if program is not None and not program.running else None
     return None
 
 
@@ -252,10 +254,10 @@ def _stopped(state: Lived) -> str:
     """One line for people: when and why a program stopped."""
     what = state.what
     assert isinstance(what, Happened)
-    if what.effect == "end":
+    if what.reason is None:
         why = "it came to its end"
     else:
-        why = f"line {what.span.line}: {what.reason}" if what.span is not None else str(what.reason)
+        why = f"line {what.span.line}: {what.reason}" if what.span is not None else what.reason
     return f"the program of ship #{what.entities[0]} had stopped at {what.time!r} s: {why}"
 
 

@@ -165,7 +165,7 @@ def test_who_did_not_die_has_no_death() -> None:
             "entity e; turn 1; turn getx e;",
             "  the program of ship #1 had stopped at 0.4 s: line 1: getx null: e is null",
         ),
-        ("turn 1;", "  the program of ship #1 had stopped at 0.4 s: it came to its end"),
+        ("skip; turn 1;", "  the program of ship #1 had stopped at 0.4 s: it came to its end"),
     ],
 )
 def test_a_program_that_had_stopped_is_told(text: str, told: str) -> None:
