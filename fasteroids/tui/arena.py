@@ -69,13 +69,12 @@ class Arena(Widget):
 
 
 def _segments(row: Row) -> list[Segment]:
-    """A row as text with styles."""
-    text, at, segments = row.text, 0, []
-    for start, end, colour in row.runs:
-        if at < start:
-            segments.append(Segment(text[at:start], _BLANK))
-        segments.append(Segment(text[start:end], _STYLES[colour]))
-        at = end
-    if at < len(text):
-        segments.append(Segment(text[at:], _BLANK))
-    return segments
+    """A row as text with styles, each run with the blanks up to the next one: fewer changes of style to send."""
+    text, runs = row
+    if not runs:
+        return [Segment(text, _BLANK)]
+    starts = [0, *(start for start, _, _ in runs[1:]), len(text)]
+    return [
+        Segment(text[start:end], _STYLES[colour])
+        for start, end, (_, _, colour) in zip(starts, starts[1:], runs, strict=False)
+    ]

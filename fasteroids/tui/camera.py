@@ -256,11 +256,11 @@ class _Painter:
             if not (abs(x) < _FAR and abs(y) < _FAR):
                 continue
             column, row = int(x) // surface.across, int(y) // surface.down
-            size = self.view.length(e.radius)
+            size = min(self.view.length(e.radius), _FAR)
+            tag = 0
             if type(e) is Ship and not self.plain:
-                size = 1.3 * max(size, _LEAST)
-            size = min(size, _FAR)
-            reach = int(size / surface.across) + 2
+                size, tag = 1.3 * max(size, _LEAST), int(self.look.tags)
+            reach = int(size / surface.across) + 2 + tag
             left, right = column - reach, column + reach
             surface.text(left, row, "[", palette.SELECTED)
             surface.text(right, row, "]", palette.SELECTED)

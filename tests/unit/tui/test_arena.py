@@ -69,15 +69,16 @@ def test_the_widget_shows_the_rows_of_its_frame(kind):
     showing(scenario)
 
 
-def test_runs_have_the_colours_of_the_palette_and_the_rest_only_the_background():
+def test_each_run_has_its_colour_and_takes_the_blanks_beside_it():
     async def scenario(_app: Shown, arena: Arena) -> None:
-        arena.show(Frame(60, (Row("  ab" + " " * 56, ((2, 3, 2), (3, 4, 10))),)))
+        blank = Row(" " * 60, ())
+        arena.show(Frame(60, (Row("  a b" + " " * 55, ((2, 3, 2), (4, 5, 10))), blank)))
         segments = [(s.text, s.style) for s in arena.render_line(0)]
-        assert [text for text, _ in segments] == ["  ", "a", "b", " " * 56]
-        inks = [style.color and style.color.triplet.hex for _, style in segments]  # type: ignore[union-attr]
-        assert inks == [None, palette.COLOURS[2].hex, palette.COLOURS[10].hex, None]
-        behind = {style.bgcolor.triplet.hex for _, style in segments}  # type: ignore[union-attr]
-        assert behind == {palette.BACKGROUND}
+        assert [text for text, _ in segments] == ["  a ", "b" + " " * 55]
+        inks = [style.color.triplet.hex for _, style in segments]  # type: ignore[union-attr]
+        assert inks == [palette.COLOURS[2].hex, palette.COLOURS[10].hex]
+        for segment in (*arena.render_line(0), *arena.render_line(1)):
+            assert segment.style.bgcolor.triplet.hex == palette.BACKGROUND
 
     showing(scenario)
 

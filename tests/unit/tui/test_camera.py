@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fasteroids import Asteroid, Bullet, ModelError, Ship, World, evolve
+from fasteroids import Asteroid, Bullet, ModelError, Ship, World, evolve, evolve_until
 from fasteroids.engine import peek
 from fasteroids.testing import worlds
 from fasteroids.tui import palette
@@ -110,6 +110,14 @@ def test_a_thousand_entities_fit():
     world = World(4000, 3000).add_all(rock(x, y, 15.0) for x, y in places)
     for arena in ARENAS:
         checked(frame(world, Look(arena=arena), 120, 40), 120, 40)
+
+
+def test_late_and_fast_is_in_sight_all_the_same():
+    world = evolve_until(World(1e12, 1e12), 1e300)
+    world = world.add(Asteroid(5e11, 5e11, 3e5, 0.0, 1e11)).add(ship(1e11, 1e11, r=1e10))
+    for arena in ARENAS:
+        picture = frame(evolve(world, 1e6), Look(arena=arena), 80, 24)
+        assert {palette.ASTEROID, palette.player(0)} <= colours(picture)
 
 
 @pytest.mark.parametrize("fields", [{"arena": "sixel"}, {"zoom": 3}, {"zoom": nan}, {"arena": 7}])
@@ -307,6 +315,14 @@ def test_the_selected_is_in_brackets_with_its_id(arena):
     line = next(line for line in picture.splitlines() if "[" in line)
     assert "#2" in line[line.index("]") :]
     assert line.index("[") > 40
+
+
+@pytest.mark.parametrize("arena", ARENAS)
+def test_brackets_leave_a_ship_its_letter_and_its_flame(arena):
+    world = World(1000, 1000).add(ship(500, 500, thruster=True))
+    bare = frame(world, Look(arena=arena), 120, 40)
+    bracketed = frame(world, Look(arena=arena, selected=1), 120, 40)
+    assert set(cells(bare, palette.player(0))) == set(cells(bracketed, palette.player(0)))
 
 
 @pytest.mark.parametrize("arena", ARENAS)
