@@ -124,6 +124,23 @@ def test_a_frame_of_another_size_is_cut_or_filled_up():
     showing(scenario)
 
 
+def test_a_picture_places_every_word_by_itself():
+    async def scenario(app: Shown, arena: Arena) -> None:
+        arena.show(Frame(60, (Row("  ab b" + " " * 54, ((2, 3, 2), (3, 6, 10))),)))
+        shown = arena.render_line(0)
+        before = app.export_screenshot()
+        with arena.posing():
+            cut = arena.render_line(0)
+            during = app.export_screenshot()
+        assert [s.text for s in cut] == ["  ", "a", "b", " ", "b", " " * 54]
+        assert cut.text == shown.text
+        assert ">b</text>" in during
+        assert ">b</text>" not in before
+        assert list(arena.render_line(0)) == list(shown)
+
+    showing(scenario)
+
+
 @pytest.mark.parametrize("plain", [True, False])
 def test_without_colours_nothing_is_coloured_and_everything_is_there(monkeypatch, plain):
     if plain:
