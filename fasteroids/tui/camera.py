@@ -176,7 +176,9 @@ class _Painter:
         steps = high if down else reach  # a diagonal goes down a row for each column
         dx, dy = (right * reach / steps, float(down))
         if ship.thruster and not ghost:
-            surface.dot(x - dx * steps, y - dy * steps, palette.FLAME, "~" if right else '"')
+            back = steps if radius >= 2.5 else 1  # behind the outline, if there is one
+            sign = "~" if right else '"'
+            surface.dot(x - dx * back, y - dy * back, palette.FLAME, sign)
         for i in range(1, steps):
             surface.dot(x + dx * i, y + dy * i, colour, "." if ghost else shaft)
         surface.dot(x + dx * steps, y + dy * steps, colour, "." if ghost else nose)
