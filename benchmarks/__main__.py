@@ -13,7 +13,16 @@ import attrs
 from rich.console import Console
 from rich.table import Table as Grid
 
-from benchmarks import choices, history, memory, programs, recording, speed, startup
+from benchmarks import (
+    choices,
+    frames,
+    history,
+    memory,
+    programs,
+    recording,
+    speed,
+    startup,
+)
 from benchmarks.measure import FULL, QUICK, Effort, Figure, Table
 
 GC_THRESHOLD = 200_000
@@ -28,6 +37,7 @@ BENCHMARKS: Mapping[str, Callable[[Effort], Table]] = {
     "idle": speed.idle,
     "programs": programs.programs,
     "recording": recording.recording,
+    "frames": frames.frames,
     "memory": memory.memory,
     "history": history.history,
     "startup": startup.startup,
