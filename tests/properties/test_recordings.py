@@ -26,6 +26,7 @@ from fasteroids.history.recording import (
     read,
     verified,
 )
+from fasteroids.history.recording.digests import digest
 from fasteroids.moments import advanced, between, clock_at
 from fasteroids.scene import document, dump_scene, world_of
 from fasteroids.testing import Script, actions, machines, unfold
@@ -271,7 +272,7 @@ def test_a_document_is_the_world_also_after_a_way_through_json(world: World, cou
     table = document(world)
     back = world_of(json.loads(json.dumps(table, allow_nan=False)))
     assert back == world
-    assert repr(back.all_flights()) == repr(world.all_flights())
+    assert digest(back) == digest(world)  # tells 0.0 from -0.0
     assert back.roster.next_id == world.roster.next_id
     assert document(back) == table
     assert dump_scene(back) == dump_scene(world)

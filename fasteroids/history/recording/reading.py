@@ -10,7 +10,7 @@ import zlib
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, Final
 
-from attrs import frozen
+from attrs import evolve, frozen
 
 from fasteroids.history.inputs import Given
 from fasteroids.history.living import Lived, Past, beginning, cuts_decide, relived
@@ -125,7 +125,8 @@ class Recording:
                 reached: Lived = stop.value
                 return reached
             if end is not None and state.place > end:
-                return last
+                # In the middle of a moment: only what rounding left on the clock is still to come.
+                return last._replace(world=evolve(last.world, clock=until))
             last = state
             yield last
 
