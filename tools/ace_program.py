@@ -20,7 +20,7 @@ TEMPLATE: Final = Path(__file__).with_suffix(".txt")
 """The program without what is written once for each slot."""
 
 VARIABLES: Final = {
-    "far": "how far it is, rim to centre",
+    "far": "how far it will be soon, rim to centre",
     "x": "where it is",
     "y": "",
     "u": "its velocity",
