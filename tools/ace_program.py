@@ -13,7 +13,7 @@ from typing import Final
 
 from fasteroids.lang.formatter import formatted
 
-SLOTS: Final = 8
+SLOTS: Final = 7
 """So many asteroids are foreseen. More would not leave enough fuel to compare courses."""
 
 TEMPLATE: Final = Path(__file__).with_suffix(".txt")
