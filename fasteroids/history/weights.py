@@ -8,16 +8,22 @@ from typing import Any, Final
 
 from pyrsistent import PMap, PVector
 
+from fasteroids.lang.machine.code import Code
+from fasteroids.state import World
+
 __all__ = ["fresh"]
 
-_SHARED: Final = (type, str, bool, type(None))
-"""What is never counted: classes, and values that Python or the text of a program holds anyway."""
+_SHARED: Final = (type, str, bool, type(None), Code)
+"""What is never counted: classes, what Python holds anyway, and the code of a program, one for all its states."""
 
 _NODE: Final = getsizeof([None] * 32)
 """Bytes of a node of a persistent vector; a change copies those on the way to it."""
 
 _BUCKET: Final = getsizeof([None]) + getsizeof((None, None))
 """Bytes of a bucket of a persistent map with one key."""
+
+
+_PARTS: Final = ("clock", "flights", "roster")
 
 
 def fresh(new: object, old: object) -> int:
@@ -44,6 +50,9 @@ def _opened(a: Any, b: Any) -> tuple[int, list[tuple[Any, Any]]]:
     size = getsizeof(a)
     if isinstance(a, float | int):
         return size, []
+    if isinstance(a, World):  # without the cache of predictions, which moves on with time
+        b = b if isinstance(b, World) else None
+        return size, [(getattr(a, name), getattr(b, name, None)) for name in _PARTS]
     if isinstance(a, PMap):
         others = b if isinstance(b, PMap) else {}
         parts = [(v, others.get(k)) for k, v in a.items() if v is not others.get(k)]
