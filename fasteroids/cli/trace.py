@@ -7,7 +7,6 @@ from difflib import get_close_matches
 from typing import Any, Final
 
 import click
-from attrs import evolve
 
 from fasteroids.actions import Action, Turn
 from fasteroids.cli import _options as options
@@ -19,12 +18,13 @@ from fasteroids.cli._narrate import counted, label, number
 from fasteroids.cli._scenes import open_scene
 from fasteroids.entities import Ship, id_of
 from fasteroids.events import Happened
+from fasteroids.history.stepping import is_tick_of, last_steps, traced
 from fasteroids.lang import Halted, Machine, Running
 from fasteroids.lang.machine.traced import MOST_STEPS, Step, Traced
 from fasteroids.lang.machine.values import Value, shown
 from fasteroids.lang.parser.lexer import lines as source_lines
 from fasteroids.lang.report import legible
-from fasteroids.state import World, flight, replaced
+from fasteroids.state import World
 
 __all__ = ["command"]
 
@@ -82,7 +82,7 @@ def command(
             f"--from {number(start)} and --to {number(end)} must be in order, and not before the scene's "
             f"{number(world.time)} s"
         )
-    fold = Fold(_traced(world, pilot), end, max_events=max_events, progress=start > world.time)
+    fold = Fold(traced(world, pilot), end, max_events=max_events, progress=start > world.time)
     ticks = 0
     with fold, Lines(STDIO) as lines:
         for happened, after in fold:
@@ -148,30 +148,14 @@ def _fate(world: World, pilot: int) -> str:
 
 def _wanted(happened: Happened | None, pilot: int, start: float) -> bool:
     """Is this a tick of the ship, not before the start? (Going there first would be a cut, which thrust may feel.)"""
-    if happened is None or happened.kind != "tick" or happened.time < start:
-        return False
-    return happened.entities == (pilot,)
-
-
-def _traced(world: World, pilot: int) -> World:
-    """The same world with the program of one ship wrapped."""
-    f, slot = world.flight_of(pilot), world.slot_of(pilot)
-    ship = f.entity
-    assert isinstance(ship, Ship)
-    assert isinstance(ship.program, Machine)
-    ship = evolve(ship, program=Traced(ship.program))
-    again = flight(f.since, ship, f.bounced_off, f.next_tick, f.path)
-    return replaced(world, world.clock, ((slot, again),), (), ())
+    return happened is not None and happened.time >= start and is_tick_of(happened, pilot)
 
 
 def _told(happened: Happened, after: World, pilot: int, *, as_json: bool) -> Iterator[str]:
     """The lines of one tick."""
-    ship = after.flight_of(pilot).entity
-    assert isinstance(ship, Ship)
-    assert isinstance(ship.program, Traced)
-    steps = ship.program.steps
+    steps = last_steps(after, pilot)
     if not as_json:
-        yield f"{happened.time:.3f}  {label(ship)}: {counted(len(steps), 'step')}"
+        yield f"{happened.time:.3f}  {label(after[pilot])}: {counted(len(steps), 'step')}"
     for i, step in enumerate(steps, 1):
         text = _source(step)
         if as_json:

@@ -10,7 +10,18 @@ from fasteroids.events import Happened
 from fasteroids.history.inputs import Act, Add, Instruct, Remove
 from fasteroids.history.living import Lived, Told
 
-__all__ = ["NOTHING", "Kind", "Marks", "is_of", "joined", "kinds_of", "marked", "wanted", "who"]
+__all__ = [
+    "NOTHING",
+    "Kind",
+    "Marks",
+    "about",
+    "is_of",
+    "joined",
+    "kinds_of",
+    "marked",
+    "wanted",
+    "who",
+]
 
 Kind: TypeAlias = Literal[
     "event", "contact", "wall", "limit", "tick", "input", "cut", "death", "birth", "shot", "print"
@@ -39,6 +50,7 @@ _BITS: Final[dict[str, int]] = {
 _MOST: Final = (
     1024  # ids that differ by this share a bit, which costs a search time and nothing else
 )
+_NOBODY: Final = 1 << _MOST  # of a cut, which is about no entity: found only where none is given
 
 
 class Marks(NamedTuple):
@@ -65,15 +77,20 @@ def wanted(kind: Kind, entity: int | None = None) -> Marks:
     return Marks(_BITS[kind], -1 if entity is None else _bit(entity))
 
 
+def about(entity: int) -> Marks:
+    """The marks of whatever is about an entity."""
+    return Marks(-1, _bit(entity))
+
+
 def is_of(state: Lived, kind: Kind, entity: int | None = None) -> bool:
     """Is what led to a state of this kind, and about this entity if one is given?"""
     return kind in kinds_of(state) and (entity is None or entity in who(state))
 
 
 def marked(state: Lived) -> Marks:
-    """The marks of what led to a state. Without an entity the bits of ids are all set, as it may be about any."""
+    """The marks of what led to a state."""
     ids = reduce(lambda bits, i: bits | _bit(i), who(state), 0)
-    return Marks(sum(_BITS[kind] for kind in kinds_of(state)), ids or -1)
+    return Marks(sum(_BITS[kind] for kind in kinds_of(state)), ids or _NOBODY)
 
 
 def _bit(entity: int) -> int:
@@ -92,8 +109,8 @@ def kinds_of(state: Lived) -> set[Kind]:
         kinds = {"input"}
     elif what is not None:
         return {"cut"}
-    if state.died:
-        kinds.add("death")
+    if state.died and not (isinstance(what, Told) and isinstance(what.what, Remove)):
+        kinds.add("death")  # to be taken out is none
     if state.born:
         kinds.add("birth")
         if _fires(what):

@@ -11,13 +11,13 @@ from typing import Final
 
 from attrs import evolve, field, frozen
 
-from fasteroids.actions import Action, Ticked, View
-from fasteroids.lang.machine._machine import Frame, Machine, Running, place, refreshed, step
+from fasteroids.actions import Action, Program, Ticked, View
+from fasteroids.lang.machine._machine import Frame, Halted, Machine, Running, place, refreshed, step
 from fasteroids.lang.machine.steps import Test
 from fasteroids.lang.machine.values import Value, exact
 from fasteroids.lang.source import Span
 
-__all__ = ["MOST_STEPS", "Step", "Traced"]
+__all__ = ["MOST_STEPS", "Step", "Traced", "machine_in"]
 
 
 MOST_STEPS: Final = 100_000
@@ -101,3 +101,10 @@ def _steps(machine: Machine, view: View) -> Iterator[Step]:
         yield Step(before, machine, action, printed)
         if action is not None:
             return
+
+
+def machine_in(program: Program | None) -> Machine | None:
+    """The machine that a program is, or that it traces; None if there is none in it."""
+    if isinstance(program, Traced):
+        return program.machine
+    return program if isinstance(program, Running | Halted) else None
