@@ -34,6 +34,7 @@ __all__ = [
     "next_state",
     "past_all_at",
     "previous_state",
+    "reached",
 ]
 
 At: TypeAlias = Place | float
@@ -137,7 +138,7 @@ def first_time(
             return state
         off = state.place.moment
         for moment in _looks(state.place.moment, until, every):
-            if holds(_reached(state, moment).world):
+            if holds(reached(state, moment).world):
                 return _boundary(state, holds, moment, off)
             off = moment
     return None
@@ -159,7 +160,7 @@ def last_time(
     for state, until in _pieces_back(timeline, after, before):
         off: Moment | None = None
         for moment in (*reversed([*_looks(state.place.moment, until, every)]), None):
-            here = state if moment is None else _reached(state, moment)
+            here = state if moment is None else reached(state, moment)
             if holds(here.world):
                 return here if off is None else _boundary(state, holds, here.place.moment, off)
             off = moment
@@ -224,7 +225,7 @@ def _stretch(timeline: Timeline, after: At | None, before: At | None) -> tuple[L
             f"starts; got {shown(after)} to {shown(before)}"
         )
     state = next(s for s in timeline.backwards(start) if not _idle(s))
-    return _reached(state, start.moment), end
+    return reached(state, start.moment), end
 
 
 def _looks(start: Moment, until: Moment, every: float) -> Iterator[Moment]:
@@ -247,7 +248,7 @@ def _earlier(moment: Moment) -> Moment:
     return (window - 1, nextafter(WINDOW, 0.0)) if window else moment
 
 
-def _reached(state: Lived, moment: Moment) -> Lived:
+def reached(state: Lived, moment: Moment) -> Lived:
     """The state as time reaches a moment to which nothing more happens. A look is a cut, if cuts decide."""
     world = state.world
     if moment <= world.now:
@@ -262,8 +263,8 @@ def _boundary(state: Lived, holds: Predicate, on: Moment, off: Moment) -> Lived:
     while True:
         middle = _between(min(on, off), max(on, off))
         if middle in (on, off):
-            return _reached(state, on)
-        if holds(_reached(state, middle).world):
+            return reached(state, on)
+        if holds(reached(state, middle).world):
             on = middle
         else:
             off = middle

@@ -11,7 +11,7 @@ that the caller makes. When they cost more than the budget, states that can be l
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
 from math import inf
 from typing import Any, Final
@@ -132,11 +132,11 @@ class Timeline:
         return self._until(clock)
 
     def _until(self, clock: Clock) -> Timeline:
-        return self._grown(list(lived(self.last, clock)))
+        return self.grown(list(lived(self.last, clock)))
 
     def take(self, what: Input) -> Timeline:
         """The world outside does something, now. `ModelError` if it makes no sense."""
-        return self._grown([answered(self.last, what)])
+        return self.grown([answered(self.last, what)])
 
     def act(self, ship: int, action: Action) -> Timeline:
         """A ship takes an action, as `fasteroids.act`."""
@@ -154,7 +154,8 @@ class Timeline:
         """An entity is taken out, as `World.remove`."""
         return self.take(Remove(entity))
 
-    def _grown(self, states: list[Lived]) -> Timeline:
+    def grown(self, states: Sequence[Lived]) -> Timeline:
+        """With states that were lived elsewhere, from its last one on, in order, as `living` gives them."""
         line = appended(self.line, states)
         return evolve(self, lines=self.lines.set(self.name, line)).thin()
 

@@ -31,6 +31,7 @@ from fasteroids.history.recording.verifying import Difference as Difference
 from fasteroids.history.recording.verifying import Verified as Verified
 from fasteroids.history.recording.verifying import differing as differing
 from fasteroids.history.recording.verifying import verified as verified
+from fasteroids.history.recording.verifying import verifying as verifying
 from fasteroids.history.recording.writing import Recorder as Recorder
 from fasteroids.history.recording.writing import headed as headed
 
@@ -56,4 +57,5 @@ __all__ = [
     "record_of",
     "time_of",
     "verified",
+    "verifying",
 ]
