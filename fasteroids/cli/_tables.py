@@ -66,8 +66,9 @@ def _events(recording: Recording) -> Iterator[Row]:
         h = line.happened
         other = h.entities[1] if len(h.entities) > 1 else None
         x, y = (None, None) if h.at is None else map(_double, h.at)
+        changed = (_ids(h.died), _ids(h.born), _ids(h.clipped))
         yield (
-            number, h.time, h.kind, h.effect, h.entities[0], other, h.wall, _ids(h.died), _ids(h.born), _ids(h.clipped), x, y,
+            number, h.time, h.kind, h.effect, h.entities[0], other, h.wall, *changed, x, y,
             None if h.span is None else h.span[0], h.reason,
         )  # fmt: skip
 
