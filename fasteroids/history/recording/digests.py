@@ -6,7 +6,6 @@ values alone: not of the platform, the version of Python, the seed of its hashes
 
 from __future__ import annotations
 
-import json
 import struct
 from functools import cache, lru_cache
 from hashlib import blake2b, sha256
@@ -19,7 +18,8 @@ from attrs import fields
 from fasteroids.actions import Program
 from fasteroids.entities import Asteroid, Bullet, Ship, id_of
 from fasteroids.lang import Machine
-from fasteroids.lang.machine.saved import saved
+from fasteroids.lang.machine import Frame, Halted
+from fasteroids.lang.machine.values import Seen, Value
 from fasteroids.state import Flight, World
 
 __all__ = ["digest", "libm", "named"]
@@ -28,6 +28,9 @@ _SIZE: Final = 16  # bytes of a fingerprint
 
 _FLIGHT: Final = Struct("<qqdddddddq")
 """id, since (window, offset), x, y, vx, vy, radius, max_speed, bounced_off."""
+
+_DOUBLE: Final = Struct("<cd").pack
+_STATE: Final = Struct("<5d").pack
 
 
 def digest(world: World) -> str:
@@ -78,10 +81,32 @@ def _of_program(program: Program) -> bytes:
     """A program and where it is. Of one that is no text of the language there is only its repr, which may change."""
     if not isinstance(program, Machine):
         return repr(program).encode("utf-8", "backslashreplace")
-    state = {name: value for name, value in saved(program).items() if name != "source"}
-    return (
-        named(program.code.source) + json.dumps(state, sort_keys=True, separators=(",", ":"))
-    ).encode()
+    store = dict(program.store)
+    parts = [named(program.code.source).encode()]
+    parts += [_of_value(store[name]) for name in sorted(store)]
+    if isinstance(program, Halted):
+        stop = f";halted {program.reason!r} {program.span and tuple(program.span)!r}"
+        return b"".join(parts) + stop.encode("utf-8", "backslashreplace")
+    for f in program.todo:
+        if isinstance(f, Frame):
+            parts.append(b";%d %d %d " % (f.block, f.index, f.done))
+            parts += map(_of_value, f.operands)
+        else:
+            parts.append(b";each %d %d " % (f.block, f.index))
+            parts += map(_of_value, f.rest)
+    return b"".join(parts)
+
+
+def _of_value(value: Value) -> bytes:
+    """A value of a variable or an operand: a letter for its type, and its bits; every nan is the same."""
+    if type(value) is float:
+        return _DOUBLE(b"d", value) if value == value else b"nan"
+    if value is None:
+        return b"n"
+    if isinstance(value, Seen):
+        state = _STATE(value.x, value.y, value.vx, value.vy, value.radius)
+        return b"e%d %b" % (value.id, value.kind.encode()) + state
+    return b"t" if value else b"f"
 
 
 @lru_cache(maxsize=256)

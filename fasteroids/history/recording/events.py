@@ -9,11 +9,12 @@ from typing import Any, Final
 
 from fasteroids.actions import Action, Fire, Skip, Thrust, ThrustOff, Turn
 from fasteroids.events import Happened
+from fasteroids.history.inputs import Place
 from fasteroids.lang import Span
 from fasteroids.moments import Moment, moment_at, seconds
 from fasteroids.units import WINDOW
 
-__all__ = ["ACTIONS", "action_name", "event_line", "event_record", "line", "when"]
+__all__ = ["ACTIONS", "action_name", "event_line", "event_record", "line", "print_line", "when"]
 
 ACTIONS: Final[Mapping[type[Action], str]] = {
     Turn: "turn",
@@ -47,6 +48,7 @@ def event_record(happened: Happened) -> dict[str, Any]:
     return record
 
 
+_quoted = json.encoder.encode_basestring_ascii
 _encode = json.JSONEncoder(allow_nan=False, check_circular=False, separators=(",", ":")).encode
 
 
@@ -61,35 +63,48 @@ def when(moment: Moment) -> dict[str, Any]:
     return {"time": time} if moment_at(time) == moment else {"time": time, "moment": list(moment)}
 
 
-def event_line(happened: Happened, moment: Moment) -> str:
-    """The line of an event, but for its prints, which have lines of their own.
+def event_line(happened: Happened, place: Place) -> str:
+    """The line of an event, from the place after it, but for its prints, which have lines of their own.
 
     It is `line` of `event_record` with the type and the moment (a test compares them), at a fifth of the price.
     """
-    window, offset = moment
-    time = happened.time
+    window, offset, _ = place
+    time, entities, at = happened.time, happened.entities, happened.at
+    exact = more = ""
     if window and (
-        time - window * WINDOW != offset if window < 2**43 else moment_at(time) != moment
+        time - window * WINDOW != offset if window < 2**43 else moment_at(time) != place.moment
     ):
-        told = f'{{"type":"event","time":{time!r},"moment":[{window},{offset!r}],"kind":"'
-    else:
-        told = f'{{"type":"event","time":{time!r},"kind":"'
-    entities = happened.entities
+        exact = f',"moment":[{window},{offset!r}]'
+    if happened.died or happened.born or happened.clipped or happened.span is not None:
+        more = _more(happened)
     if len(entities) == 2:
         a, b = entities
-        told += f'{happened.kind}","entities":[{a},{b}],"effect":"{happened.effect}"'
+        who, kind = f"{a},{b}", "contact"
     else:
-        told += f'{happened.kind}","entities":[{entities[0]}],"effect":"{happened.effect}"'
         if happened.wall is not None:
-            told += f',"wall":"{happened.wall}"'
-    if happened.died or happened.born or happened.clipped or happened.span is not None:
-        told += _more(happened)
-    if happened.at is None:
+            more = f',"wall":"{happened.wall}"{more}'
+        who, kind = entities[0], happened.kind  # type: ignore[assignment]
+    told = (
+        f'{{"type":"event","time":{time!r}{exact},"kind":"{kind}","entities":[{who}],'
+        f'"effect":"{happened.effect}"{more}'
+    )
+    if at is None:
         return told + "}"
-    x, y = happened.at
+    x, y = at
     if -inf < x < inf and -inf < y < inf:
         return f'{told},"at":[{x!r},{y!r}]}}'
     return f'{told},"at":{json.dumps(event_record(happened)["at"], separators=(",", ":"))}}}'
+
+
+def print_line(text: str, ship: int, moment: Moment) -> str:
+    """The line of what a ship's program printed."""
+    time = seconds(*moment)
+    exact = (
+        ""
+        if not moment[0] or moment_at(time) == moment
+        else f',"moment":[{moment[0]},{moment[1]!r}]'
+    )
+    return f'{{"type":"print","time":{time!r}{exact},"ship":{ship},"text":{_quoted(text)}}}'
 
 
 def _more(happened: Happened) -> str:
@@ -105,5 +120,5 @@ def _more(happened: Happened) -> str:
     if span is not None:
         told += f',"span":{{"line":{span[0]},"column":{span[1]},"end_line":{span[2]},"end_column":{span[3]}}}'
     if happened.reason is not None:
-        told += f',"reason":{json.dumps(happened.reason)}'
+        told += f',"reason":{_quoted(happened.reason)}'
     return told

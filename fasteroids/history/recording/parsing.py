@@ -232,7 +232,7 @@ def reader(texts: Mapping[str, str]) -> Callable[[str], str]:
 def _event(fields: Fields, _: Texts) -> Line:
     moment = fields.moment()
     kind = fields.word("kind", _KINDS)
-    entities = fields.entities("entities", None)
+    entities = fields.entities("entities")
     if not 1 <= len(entities) <= 2:
         raise RecordingError('"entities" must be one id or two')
     happened = Happened(

@@ -8,24 +8,24 @@ from __future__ import annotations
 
 import platform
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from functools import cache
 from math import floor, inf
 
 from attrs import evolve
 
 from fasteroids.actions import Program
 from fasteroids.events import Happened
-from fasteroids.history.inputs import Add, Given, Instruct, Place
+from fasteroids.history.inputs import Add, Cut, Given, Instruct, Place
 from fasteroids.history.living import Lived, Told, cuts_decide
 from fasteroids.history.recording.digests import digest, libm, named
-from fasteroids.history.recording.events import event_line, line
+from fasteroids.history.recording.events import event_line, line, print_line
 from fasteroids.history.recording.lines import (
     Bookmark,
     Entered,
     Hash,
     Header,
     Line,
-    Print,
     Result,
     Snapshot,
     program_by_name,
@@ -41,16 +41,28 @@ from fasteroids.units import ModelError, shown
 __all__ = ["EVERY_HASH", "EVERY_SNAPSHOT", "LEAST_EVERY", "Recorder", "headed"]
 
 EVERY_HASH = 1.0
-"""Game seconds from hash to hash."""
+"""Game seconds from hash to hash, if enough happened in them."""
+
+HAPPENINGS_A_HASH = 2
 
 EVERY_SNAPSHOT = 10.0
-"""Game seconds from snapshot to snapshot."""
+"""Game seconds from snapshot to snapshot, if enough happened in them."""
+
+HAPPENINGS_A_SNAPSHOT = 25
+"""For each entity in the world so much must happen before the next hash or snapshot.
+
+What one of them costs grows with the entities, and is then a hundredth or two of what it cost to live so far. Where
+little happens a past is lived again in no time, and needs fewer snapshots.
+"""
 
 LEAST_EVERY = 2.0**-10
 """The least of both, s."""
 
-_HELD = 512
-"""Lines that are made before they are handed on together."""
+_HELD = 64
+"""Events that wait for their lines: made together they take half as long as each by itself between two events."""
+
+_BATCH = 512
+"""Lines that are handed on together."""
 
 
 def headed(
@@ -85,6 +97,7 @@ def headed(
     )
 
 
+@cache
 def _version() -> str:
     from importlib.metadata import PackageNotFoundError, version  # slow to load, and for this alone
 
@@ -98,7 +111,7 @@ class Recorder:
     """Makes the lines of a recording of a past that begins with a world.
 
     `write` gets pieces of text: one or more whole lines each, ASCII. They come when many wait, at each `flush`,
-    and at the end. `size` counts the characters handed on so far, `events` what happened by kind.
+    and at the end. `size` counts the characters handed on so far.
     """
 
     def __init__(
@@ -108,13 +121,16 @@ class Recorder:
         self._lines: list[str] = []
         self.size = 0
         self.header = header = headed(first) if header is None else header
-        self.events: Counter[str] = Counter()
+        self._happened: list[tuple[Place, Happened]] = []
+        self._events: Counter[str] = Counter()
         self._known = dict(header.programs)
         self._cuts = header.cuts == "recorded"
         self._world = first
         self._place = Place(*first.now)
         self._snapshots: list[tuple[float, int]] = []
-        self._changed_for_hash = self._changed_for_snapshot = False
+        self._changes = self._at_hash = self._at_snapshot = (
+            0  # happenings, in all and up to the last of each
+        )
         self._hash_due = _next(first.time, header.every_hash)
         self._snapshot_due = _next(first.time, header.every_snapshot)
         self._due = min(self._hash_due, self._snapshot_due)
@@ -125,28 +141,44 @@ class Recorder:
     def add(self, state: Lived) -> None:
         """The next state of the past. `ModelError` if an input brings a program that is no text of the language."""
         place, what, world = state
-        if isinstance(what, Happened):
-            time = what.time
-            if time > self._due:
+        if type(what) is Happened:
+            if what.time > self._due:
                 self._look(place[:2])
-            if what.prints:
-                for text in what.prints:
-                    self._put(Print(place[:2], what.entities[0], text))
-            self._lines.append(event_line(what, place[:2]))
-            self.events[what.kind] += 1
-            if len(self._lines) >= _HELD:
-                self.flush()
+            self._happened.append((place, what))
+            if len(self._happened) >= _HELD:
+                self._settle()
         elif isinstance(what, Told):
             self._look(place[:2])
             self._put(self._told(place, what))
-        elif what is not None and self._cuts:
+            self._changes += 1
+        elif isinstance(what, Cut) and self._cuts:
             self._look(place[:2])
             self._put(Entered(Given(place, what)))
+            self._changes += 1
         else:
             self._place = place
             return
         self._place, self._world = place, world
-        self._changed_for_hash = self._changed_for_snapshot = True
+
+    @property
+    def events(self) -> Mapping[str, int]:
+        """How much happened so far, by kind."""
+        self._settle()
+        return self._events
+
+    def _settle(self) -> None:
+        """The lines of the events that wait."""
+        lines, counts = self._lines, self._events
+        for place, happened in self._happened:
+            if happened.prints:
+                ship, moment = happened.entities[0], place[:2]
+                lines += [print_line(text, ship, moment) for text in happened.prints]
+            lines.append(event_line(happened, place))
+            counts[happened.kind] += 1
+        self._changes += len(self._happened)
+        self._happened.clear()
+        if len(lines) >= _BATCH:
+            self._hand_on()
 
     def _told(self, place: Place, told: Told) -> Entered:
         """The line of an input, which came before the place that it led to."""
@@ -180,7 +212,7 @@ class Recorder:
                 clock,
                 place.nth,
                 ended,
-                dict(self.events),
+                dict(self._events),
                 digest(self._world),
                 tuple(self._snapshots),
             )
@@ -191,6 +223,10 @@ class Recorder:
 
     def flush(self) -> None:
         """Hand on what waits."""
+        self._settle()
+        self._hand_on()
+
+    def _hand_on(self) -> None:
         if self._lines:
             text = "\n".join(self._lines) + "\n"
             self._lines.clear()
@@ -198,20 +234,24 @@ class Recorder:
             self._write(text)
 
     def _put(self, made: Header | Line) -> None:
+        self._settle()
         self._lines.append(line(record_of(made)))
 
     def _look(self, now: Moment, *, last: bool = False) -> None:
         """Write what is due before a moment: the world has stayed as it is since then. If it is the last, at it too.
 
-        Where nothing happened since the last look there is nothing to write: a long silence costs nothing.
+        Where little happened since the last time there is nothing to write: a long silence costs nothing.
         """
+        self._settle()
         hash_due, snapshot_due = self._hash_due, self._snapshot_due
         if hash_due < snapshot_due:
             self._look_for_hash(now, last)
         if _has_come(snapshot_due, now, last):
-            if self._changed_for_snapshot:
+            if self._changes - self._at_snapshot >= HAPPENINGS_A_SNAPSHOT * max(
+                len(self._world), 1
+            ):
                 self._snapshot(self._moment(snapshot_due, now))
-            self._changed_for_snapshot = False
+                self._at_snapshot = self._changes
             self._snapshot_due = _next(seconds(*now), self.header.every_snapshot)
         if hash_due >= snapshot_due:
             self._look_for_hash(now, last)
@@ -219,9 +259,9 @@ class Recorder:
 
     def _look_for_hash(self, now: Moment, last: bool) -> None:
         if _has_come(self._hash_due, now, last):
-            if self._changed_for_hash:
+            if self._changes - self._at_hash >= HAPPENINGS_A_HASH * max(len(self._world), 1):
                 self._put(Hash(self._moment(self._hash_due, now), digest(self._world)))
-            self._changed_for_hash = False
+                self._at_hash = self._changes
             self._hash_due = _next(seconds(*now), self.header.every_hash)
 
     def _snapshot(self, moment: Moment) -> None:
