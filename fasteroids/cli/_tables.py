@@ -12,35 +12,35 @@ from typing import Final, TypeAlias, TypeVar
 
 from attrs import field, frozen
 
+from fasteroids.cli._fold import stops
+from fasteroids.cli._guard import Refusal
 from fasteroids.entities import Bullet, Entity, Ship
+from fasteroids.history.living import Lived, beginning
+from fasteroids.history.questions import reached
 from fasteroids.history.recording import (
     Bookmark,
     Entered,
     Event,
     Print,
     Recording,
-    Snapshot,
     record_of,
     time_of,
 )
-from fasteroids.moments import Clock, seconds
+from fasteroids.moments import clock_at
+from fasteroids.state import World
 
-__all__ = ["TABLES", "Row", "Table"]
+__all__ = ["TABLES", "Columns", "Row", "Tables", "worlds"]
 
 Cell: TypeAlias = "str | int | float | bool | None"
 Row: TypeAlias = tuple[Cell, ...]
 
 
-@frozen
-class Table:
-    """A table: what its rows are, its columns with their types in SQL, and how its rows are had."""
+_MOST_LOOKS: Final = 2**20
 
-    what: str
-    columns: Mapping[str, str]
-    rows: Callable[[Recording], Iterator[Row]] = field(repr=False)
+Columns: TypeAlias = Mapping[str, str]
+"""The names of columns, each with its type in SQL."""
 
-
-L = TypeVar("L", Event, Snapshot, Print, Entered, Bookmark)
+L = TypeVar("L", Event, Print, Entered, Bookmark)
 
 
 def _lines(recording: Recording, kind: type[L]) -> Iterator[tuple[int, L]]:
@@ -83,24 +83,46 @@ _EVENTS: Final = {
 # states
 
 
-def _states(recording: Recording) -> Iterator[Row]:
-    """The entities of the first world, of each snapshot, and of the last world if no snapshot is as late."""
-    clocks = [recording.world.clock]
-    clocks += [(*line.moment, 0.0) for _, line in _lines(recording, Snapshot)]
-    clocks += [recording.until] * (recording.until[:2] > clocks[-1][:2])
-    for i, clock in enumerate(clocks):
-        world = recording.world if i == 0 else recording.at(clock)
-        yield from (_state(clock, e) for e in world.entities.values())
+def worlds(recording: Recording, every: float) -> Iterator[World]:
+    """The first world, those at the multiples of so many seconds, each after all that happened then, and the last.
+
+    The recording is lived again. Under literal thrust each look is a cut, but of what is shown alone.
+    """
+    yield recording.world
+    start, past = recording.world.now, recording.past()
+    times = stops(recording.world.time, recording.time, every)
+    looks = (clock_at(time)[:2] for time, sampled in times if sampled)
+    inside = (look for look in looks if start < look < recording.until[:2])
+    look, last = next(inside, None), beginning(recording.world)
+    while True:
+        try:
+            state = next(past)
+        except StopIteration as stop:
+            ended: Lived = stop.value
+            break
+        while look is not None and look < state.place.moment:
+            yield reached(last, look).world
+            look = next(inside, None)
+        last = state
+    for each in () if look is None else (look, *inside):
+        yield reached(last, each).world
+    if ended.world.now > start:
+        yield ended.world
 
 
-def _state(clock: Clock, e: Entity) -> Row:
+def _states(recording: Recording, every: float) -> Iterator[Row]:
+    for world in worlds(recording, every):
+        yield from (_state(world.time, e) for e in world.entities.values())
+
+
+def _state(time: float, e: Entity) -> Row:
     ship = (None,) * 4
     if isinstance(e, Ship):
         program = None if e.program is None else "running" if e.program.running else "stopped"
         ship = (e.direction, e.thrust_power, e.thruster, program)  # type: ignore[assignment]
     bullet = (e.source, e.bounced) if isinstance(e, Bullet) else (None, None)
     return (
-        seconds(*clock[:2]), e.id, e.kind, e.name, e.x, e.y, e.vx, e.vy, e.radius, _double(e.mass), *ship, *bullet,
+        time, e.id, e.kind, e.name, e.x, e.y, e.vx, e.vy, e.radius, _double(e.mass), *ship, *bullet,
     )  # fmt: skip
 
 
@@ -148,11 +170,42 @@ def _bookmarks(recording: Recording) -> Iterator[Row]:
 _BOOKMARKS: Final = {"line": "BIGINT", "time": "DOUBLE", "nth": "BIGINT", "name": "VARCHAR"}
 
 
-TABLES: Final[Mapping[str, Table]] = {
-    "events": Table("what happened, a row an event", _EVENTS, _events),
-    "states": Table("every entity at the start, at each snapshot and at the end", _STATES, _states),
-    "prints": Table("what programs printed", _PRINTS, _prints),
-    "inputs": Table("what the world outside did", _INPUTS, _inputs),
-    "bookmarks": Table("names for times", _BOOKMARKS, _bookmarks),
+TABLES: Final[Mapping[str, Columns]] = {
+    "events": _EVENTS,
+    "states": _STATES,
+    "prints": _PRINTS,
+    "inputs": _INPUTS,
+    "bookmarks": _BOOKMARKS,
 }
-"""The tables by name."""
+"""The tables by name: what happened; every entity now and then; what programs printed; what the world outside did;
+names for times."""
+
+_ROWS: Final[Mapping[str, Callable[[Recording], Iterator[Row]]]] = {
+    "events": _events,
+    "prints": _prints,
+    "inputs": _inputs,
+    "bookmarks": _bookmarks,
+}
+
+
+@frozen
+class Tables:
+    """The tables of a recording. `title` is what to call it, `every` how often (s) `states` looks.
+
+    `Refusal` if that is too often.
+    """
+
+    recording: Recording = field(repr=False)
+    title: str
+    every: float = 1.0
+
+    def __attrs_post_init__(self) -> None:
+        looks = (self.recording.time - self.recording.world.time) / self.every
+        if not looks <= _MOST_LOOKS:
+            raise Refusal(f"every {self.every!r} s is too often: {_MOST_LOOKS:,} looks are allowed")
+
+    def rows(self, name: str) -> Iterator[Row]:
+        """The rows of a table."""
+        if name == "states":
+            return _states(self.recording, self.every)
+        return _ROWS[name](self.recording)

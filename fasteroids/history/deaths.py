@@ -110,9 +110,12 @@ class Death:
             "wall": "at its second wall",
             "shot": f"of a shot, with {others}",
         }[self.how]
+        unchanged = (
+            "neither flight changed" if len(self.courses) == 2 else "its flight did not change"
+        )
         rows = [
             f"{describe(self.entity)} died at {self.time!r} s {cause}",
-            f"from {self.inevitable.time!r} s on nothing could change that but a new flight",
+            f"it was fixed from {self.inevitable.time!r} s on: {unchanged} after that",
             *map(str, self.courses),
             *(f"ship #{shot.ship} fired: {shot}" for shot in self.shots),
             *(f"ship #{deed.ship} did last: {deed}" for deed in self.deeds),

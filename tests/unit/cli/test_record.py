@@ -99,10 +99,11 @@ def test_seed_model_and_bots_are_in_the_header(call: Call, tmp_path: Path) -> No
     assert (header.seed, header.model, len(header.programs)) == (9, "robust", 1)
 
 
-def test_how_often_there_are_hashes_and_snapshots(call: Call, busy: str, tmp_path: Path) -> None:
+def test_how_often_there_are_hashes_and_snapshots(call: Call, tmp_path: Path) -> None:
     out = tmp_path / "out.jsonl"
     args = ["--for", "1", "--hashes", "0.1", "--snapshots", "0.25"]
-    assert call("record", busy, "-o", str(out), *args).exit_code == 0
+    ball = "[world]\nwidth = 50\nheight = 50\n[[asteroid]]\nx = 9\ny = 9\nvx = 9000\nradius = 9\n"
+    assert call("record", "-", "-o", str(out), *args, input=ball).exit_code == 0
     kinds = [json.loads(line)["type"] for line in out.read_text().splitlines()]
     assert (kinds.count("hash"), kinds.count("snapshot")) == (10, 4)
 

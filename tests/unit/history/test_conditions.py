@@ -8,6 +8,7 @@ import pytest
 from attrs import evolve as with_
 
 from fasteroids import ModelError, Ship, World, check_program, evolve, parse_program
+from fasteroids.actions import Program
 from fasteroids.history import begin, condition, first_time
 from fasteroids.lang.machine.traced import Traced
 from fasteroids.state import instructed
@@ -78,7 +79,9 @@ def test_it_does_not_hold_where_the_ship_is_dead_or_an_operation_is_illegal() ->
 
 
 @pytest.mark.parametrize("program", [None, Script((None,)), "double m; skip;", "bool n; skip;"])
-def test_it_does_not_hold_where_the_program_has_no_such_variable(program: object) -> None:
+def test_it_does_not_hold_where_the_program_has_no_such_variable(
+    program: Program | str | None,
+) -> None:
     world = counting()
     asks = condition("n == 0", the_ship(world))
     other = machine(program) if isinstance(program, str) else program

@@ -124,6 +124,15 @@ def test_a_cut_is_about_no_entity(past: Timeline) -> None:
     assert next_state(past, 0.0, "cut", 1) is None
 
 
+def test_entities_whose_ids_share_a_mark_are_told_apart() -> None:
+    world = world_of(rock(100.0, 100.0, -40.0), rock(100.0, 600.0, -10.0, id=1025))
+    timeline = begin(world).evolve(20.0)
+    for thin in (timeline, timeline.thin(0)):
+        first, far = next_state(thin, 0.0, "wall", 1), next_state(thin, 0.0, "wall", 1025)
+        assert when(first) == 2.0
+        assert when(far) == 8.0
+
+
 @pytest.mark.parametrize("at", [nan, -1.0, inf, "1"])
 def test_what_is_no_time_is_refused(past: Timeline, at: float) -> None:
     with pytest.raises(ModelError, match="time"):
@@ -251,9 +260,13 @@ def test_what_is_true_for_less_than_a_look_is_found_by_looking_closer() -> None:
 def test_a_window_of_the_clock_is_no_hurdle() -> None:
     timeline = begin(world_of(ship(100.0, 100.0, 0.25))).evolve(3000.0)
     for x in (355.9, 356.0, 612.0, 612.5, 849.0):
+
+        def beyond(world: World, x: float = x) -> bool:
+            return world[1].x >= x
+
         for every in (1.0, 700.0, 5000.0):
-            first = first_time(timeline, lambda w, x=x: w[1].x >= x, every=every)
-            last = last_time(timeline, lambda w, x=x: w[1].x < x, every=every)
+            first = first_time(timeline, beyond, every=every)
+            last = last_time(timeline, lambda w: not beyond(w), every=every)
             assert first is not None
             assert last is not None
             assert when(first) == pytest.approx((x - 100.0) / 0.25)
