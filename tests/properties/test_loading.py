@@ -26,7 +26,7 @@ class Recorded(Histories):
         runs=st.lists(st.tuples(st.integers(0, 12), st.floats(0.0, 1.0)), max_size=5),
     )
     def start(self, world: World, runs: list[tuple[int, float]]) -> None:
-        super().start(without_scripts(world), runs)  # type: ignore[call-arg, arg-type]
+        super().start(without_scripts(world), runs)
 
     @precondition(lambda self: hasattr(self, "timeline"))
     @rule(parts=st.lists(st.floats(0.0, 1.0), min_size=1, max_size=5), thin=st.booleans())
