@@ -126,9 +126,11 @@ class Timeline:
         """
         clock = clock_at(time)
         if clock[:2] < self.world.now:
-            raise ModelError(
-                f"this line has come to {self.world.time!r} s already; branch to live on from {shown(time)} s"
-            )
+            if time != self.world.time:
+                raise ModelError(
+                    f"this line has come to {self.world.time!r} s already; branch to live on from {shown(time)} s"
+                )
+            clock = self.world.clock  # its time is only the double nearest to its clock
         return self._until(clock)
 
     def _until(self, clock: Clock) -> Timeline:
