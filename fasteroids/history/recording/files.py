@@ -81,8 +81,9 @@ class RecordingFile:
 
     def flush(self) -> None:
         """Hand all that was recorded to the system."""
+        assert not self._closed
         self.recorder.flush()
-        if self._pack is not None and not self._closed:
+        if self._pack is not None:
             self._file.write(self._pack.flush(zlib.Z_SYNC_FLUSH))
         self._file.flush()
         self._due = self._clock() + PERIOD
@@ -99,4 +100,8 @@ class RecordingFile:
 
     def _write(self, text: str) -> None:
         data = text.encode("ascii")
-        self._file.write(data if self._pack is None else self._pack.compress(data))
+        try:
+            self._file.write(data if self._pack is None else self._pack.compress(data))
+        except OSError:
+            self._closed = True  # nothing may follow a hole
+            raise

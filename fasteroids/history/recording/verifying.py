@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Generator, Iterator, Mapping
+from heapq import merge
 from itertools import zip_longest
 from math import floor, inf
 from typing import Any, Final, TypeAlias
@@ -103,20 +104,19 @@ def verifying(
     return Verified(difference, until, compared, recording.short, recording.header.libm == libm())
 
 
-def _difference(number: int, line: Line, again: Iterator[Record]) -> Difference | None:
+def _difference(number: int, line: Line, again: Iterator[str]) -> Difference | None:
     """What the next line made again tells differently, if it does."""
-    recorded = _comparable(line)
+    recorded = _text(line)
     try:
         found = next(again, None)
     except ModelError as error:
-        return Difference(
-            number, time_of(line), _entity(recorded), "the line", recorded, str(error)
-        )
+        record = _record(recorded)
+        return Difference(number, time_of(line), _entity(record), "the line", record, str(error))
     return _first(number, time_of(line), recorded, found)
 
 
-def _again(recording: Recording, givens: Iterator[Given]) -> Iterator[Record]:
-    """The records of the lines after the header, made again, without bookmarks."""
+def _again(recording: Recording, givens: Iterator[Given]) -> Iterator[str]:
+    """The lines after the header, made again, without bookmarks."""
     made: list[str] = []
     recorder = Recorder(made.append, recording.world, recording.header)
     recorder.flush()
@@ -124,26 +124,23 @@ def _again(recording: Recording, givens: Iterator[Given]) -> Iterator[Record]:
     for state in recording.lived(beginning(recording.world), givens, recording.until):
         recorder.add(state)
         recorder.flush()
-        yield from _records(made)
+        for text in made:
+            yield from text.splitlines()
+        made.clear()
     # A recording that was cut short may end with a hash, which is written when time goes on.
     recorder.finish(recording.until, "" if recording.result is None else recording.result.ended)
-    yield from _records(made)
+    for text in made:
+        yield from text.splitlines()
 
 
-def _records(made: list[str]) -> Iterator[Record]:
-    lines = "".join(made).splitlines()
-    made.clear()
-    for each in lines:
-        yield _without_layout(json.loads(each))
+def _text(line: Line) -> str:
+    """A line as it would be written now, without what is not known here."""
+    return text_of(record_of(evolve(line, extra={}) if line.extra else line))
 
 
-def _comparable(line: Line) -> Record:
-    """The record of a line as it is compared: as JSON gives it, without what is not known here."""
-    return _without_layout(json.loads(text_of(record_of(evolve(line, extra={})))))
-
-
-def _without_layout(record: Record) -> Record:
-    """A record without what depends on the lines before it: which texts they told, and their lengths."""
+def _record(text: str) -> Record:
+    """A record as it is compared: without what depends on the lines before it, their lengths and texts they told."""
+    record = json.loads(text)
     return {name: value for name, value in record.items() if name not in ("programs", "snapshots")}
 
 
@@ -158,15 +155,10 @@ def _sliced(recording: Recording, slice: float) -> Iterator[Given]:
         raise ModelError(
             f"a slice must be a time above 0 s, and fit at most {_MOST_SLICES} times into {end!r} s; got {shown(slice)}"
         )
-    first = floor(start / slice) + 1
-    times = (k * slice for k in range(first, floor(end / slice) + 1))
-    clocks = [
-        clock
-        for t in times
-        if recording.world.now < (clock := clock_at(t))[:2] <= recording.until[:2]
-    ]
-    cuts = [Given(Place(*clock[:2]), Cut(clock)) for clock in clocks]
-    return iter(sorted([*recording.givens, *cuts], key=lambda given: given.place[:2]))
+    times = (k * slice for k in range(floor(start / slice) + 1, floor(end / slice) + 1))
+    clocks = (clock for clock in map(clock_at, times) if recording.world.now < clock[:2])
+    cuts = (Given(Place(*clock[:2]), Cut(clock)) for clock in clocks)
+    return merge(recording.givens, cuts, key=lambda given: given.place[:2])
 
 
 # Comparing.
@@ -185,11 +177,11 @@ def differing(a: Recording, b: Recording) -> Difference | None:
             if (a if each is None else b).short is not None:
                 return None
             number, line = each or other
-            told = _comparable(line)
+            told = _record(_text(line))
             pair = (told, None) if other is None else (None, told)
             return Difference(number, time_of(line), _entity(told), "the line", *pair)
         number, line = each
-        difference = _first(number, time_of(line), _comparable(line), _comparable(other[1]))
+        difference = _first(number, time_of(line), _text(line), _text(other[1]))
         if difference is not None:
             return difference
     return None
@@ -202,8 +194,11 @@ def _numbered(recording: Recording) -> Iterator[tuple[int, Line]]:
             yield number, line
 
 
-def _first(number: int, time: float, recorded: Record, found: Record | None) -> Difference | None:
-    """The first field in which two records differ."""
+def _first(number: int, time: float, text: str, other: str | None) -> Difference | None:
+    """The first field in which the records of two lines differ; None for a line that is not there."""
+    if text == other:
+        return None
+    recorded, found = _record(text), None if other is None else _record(other)
     if recorded == found:
         return None
     entity = _entity(recorded)

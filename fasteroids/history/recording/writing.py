@@ -43,12 +43,10 @@ __all__ = ["EVERY_HASH", "EVERY_SNAPSHOT", "LEAST_EVERY", "Recorder", "headed"]
 EVERY_HASH = 1.0
 """Game seconds from hash to hash, if enough happened in them."""
 
-HAPPENINGS_A_HASH = 2
-
 EVERY_SNAPSHOT = 10.0
 """Game seconds from snapshot to snapshot, if enough happened in them."""
 
-HAPPENINGS_A_SNAPSHOT = 25
+HAPPENINGS_A_HASH, HAPPENINGS_A_SNAPSHOT = 2, 25
 """For each entity in the world so much must happen before the next hash or snapshot.
 
 What one of them costs grows with the entities, and is then a hundredth or two of what it cost to live so far. Where

@@ -191,7 +191,7 @@ def test_another_first_world_is_found_at_the_first_event_that_it_changes() -> No
 
 
 def test_a_recording_cut_short_is_compared_as_far_as_it_goes() -> None:
-    records = rows(world(), 20.0, *PLAYED)
+    records = rows(world(), 5.0, *PLAYED)
     for size in range(1, len(records)):
         recording = opened(records[:size])
         told = verified(recording)

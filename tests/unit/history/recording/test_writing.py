@@ -9,6 +9,7 @@ from math import inf, nan
 from typing import Any
 
 import pytest
+from attrs import evolve as with_fields
 from jsonschema import Draft202012Validator
 
 from fasteroids import Happened, ModelError, Ship, Turn, World, evolve_until
@@ -137,14 +138,8 @@ def test_the_line_of_an_event_is_the_json_of_its_record(
     told = when(moment)
     record = {"type": "event", **told}
     record |= {k: v for k, v in event_record(happened).items() if k not in ("time", "prints")}
-    happened = _at(happened, told["time"])
+    happened = with_fields(happened, time=told["time"])
     assert event_line(happened, Place(*moment, 1)) == line(record)
-
-
-def _at(happened: Happened, time: float) -> Happened:
-    from attrs import evolve
-
-    return evolve(happened, time=time)
 
 
 def test_prints_stand_before_the_event_of_their_tick() -> None:
@@ -266,7 +261,7 @@ def test_what_is_in_the_file_is_never_older_than_a_second(packed: bool) -> None:
     world, watch, file = crowd(model="smooth", seed=3), Watch(), io.BytesIO()
     recording = RecordingFile(file, world, clock=watch, packed=packed)
     came: list[float] = []
-    for state in states(world, 12.0)[:-1]:
+    for state in states(world, 4.0)[:-1]:
         watch.time += 0.37 if len(came) % 5 else 0.05
         came.append(watch.time)
         recording.add(state)
@@ -304,3 +299,33 @@ def test_a_whole_ship_goes_through_an_input_line() -> None:
     told = read("".join(line(record) + "\n" for record in records).encode()).givens
     assert [given.what for given in told] == [Add(whole)]
     assert told[0].place == Place(0, 0.0, 0)
+
+
+class Full(io.BytesIO):
+    """A file on a disk that is full for one write, and has room again after that."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.full = False
+
+    def write(self, data: Any) -> int:
+        if self.full:
+            self.full = False
+            raise OSError("no space left on device")
+        return super().write(data)
+
+
+@pytest.mark.parametrize("packed", [False, True])
+def test_nothing_is_written_behind_a_hole(packed: bool) -> None:
+    watch, file = Watch(), Full()
+    with (
+        pytest.raises(OSError, match="no space"),
+        RecordingFile(file, crowd(model="smooth", seed=3), clock=watch, packed=packed) as writing,
+    ):
+        for state in states(crowd(model="smooth", seed=3), 6.0):
+            file.full = state.place.time > 3.0
+            watch.time += 1.0
+            writing.add(state)
+    told = read(file.getvalue())
+    assert 2.0 < told.time <= 3.0
+    assert told.result is None
