@@ -106,19 +106,20 @@ def history(effort: Effort) -> Table:
     seconds = max(2.0, TEN_MINUTES * effort.share)
     whole = played(seconds, WITHOUT_END)
     rows = [_one("kept states a second, nothing thinned", whole.states / seconds)]
+    timeline, size = whole, whole.bytes
     for part in (1, 4, 16):
-        timeline = whole if part == 1 else whole.thin(whole.bytes // part)
+        timeline = timeline.thin(size // part)
         rows += _asked(f"{seconds:,.0f} s", timeline, effort, bounds=part == 1)
     hour = max(4.0, HOUR * effort.share)
     budget = BUDGET * hour / HOUR
     timeline = played(hour, int(budget))
     rows.append(_one(f"{hour:,.0f} s, its bytes", timeline.bytes / MB, "MB", budget / MB))
     rows += _asked(f"{hour:,.0f} s", timeline, effort, bounds=True)
-    told, found = traced_bytes(seconds / 4.0, WITHOUT_END)
+    told, found = traced_bytes(seconds / 8.0, WITHOUT_END)
     rows.append(
-        _one(f"bytes told over bytes allocated, {seconds / 4.0:,.0f} s whole", told / found)
+        _one(f"bytes told over bytes allocated, {seconds / 8.0:,.0f} s whole", told / found)
     )
-    told, found = traced_bytes(seconds / 4.0, int(told * MB / 4.0))
+    told, found = traced_bytes(seconds / 8.0, int(told * MB / 4.0))
     rows.append(_one("the same, thinned to a quarter", told / found))
     return Table(
         "Questions to a past of 30 entities",

@@ -16,7 +16,7 @@ from typing import Final, TypeAlias
 from attrs import evolve
 
 from fasteroids.history.inputs import Cut, Place
-from fasteroids.history.living import Lived, answered, cuts_decide
+from fasteroids.history.living import Lived, cuts_decide, lived
 from fasteroids.history.marks import Kind, about, is_of, wanted, who
 from fasteroids.history.timeline import Timeline
 from fasteroids.moments import Moment, clock_at, moment_at, resolution, seconds
@@ -249,12 +249,16 @@ def _earlier(moment: Moment) -> Moment:
 
 
 def reached(state: Lived, moment: Moment) -> Lived:
-    """The state as time reaches a moment to which nothing more happens. A look is a cut, if cuts decide."""
+    """The state as time reaches a moment before which nothing more happens. A look is a cut, if cuts decide.
+
+    Unless something happens at that very moment: then the cut is that of the happening.
+    """
     world = state.world
     if moment <= world.now:
         return state
     clock = (*moment, 0.0)
-    world = answered(state, Cut(clock)).world if cuts_decide(world) else evolve(world, clock=clock)
+    cut = list(lived(state, clock)) if cuts_decide(world) else []
+    world = cut[0].world if len(cut) == 1 else evolve(world, clock=clock)
     return Lived(state.place.reaching(moment), None, world)
 
 
