@@ -15,7 +15,8 @@ from fasteroids.cli._interrupt import Interruptible
 from fasteroids.cli._narrate import counted, number
 from fasteroids.cli._progress import RunProgress
 from fasteroids.cli._recordings import open_recording, titled
-from fasteroids.history.recording import Event, Recording, Verified, verifying
+from fasteroids.history.recording import Event, Recording, Verified
+from fasteroids.history.recording.verifying import verifying
 from fasteroids.units import ModelError
 
 __all__ = ["command"]

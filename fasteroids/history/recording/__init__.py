@@ -31,7 +31,6 @@ from fasteroids.history.recording.verifying import Difference as Difference
 from fasteroids.history.recording.verifying import Verified as Verified
 from fasteroids.history.recording.verifying import differing as differing
 from fasteroids.history.recording.verifying import verified as verified
-from fasteroids.history.recording.verifying import verifying as verifying
 from fasteroids.history.recording.writing import Recorder as Recorder
 from fasteroids.history.recording.writing import headed as headed
 
@@ -57,5 +56,4 @@ __all__ = [
     "record_of",
     "time_of",
     "verified",
-    "verifying",
 ]
