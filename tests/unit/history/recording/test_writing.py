@@ -315,17 +315,21 @@ class Full(io.BytesIO):
         return super().write(data)
 
 
-@pytest.mark.parametrize("packed", [False, True])
-def test_nothing_is_written_behind_a_hole(packed: bool) -> None:
-    watch, file = Watch(), Full()
-    with (
-        pytest.raises(OSError, match="no space"),
-        RecordingFile(file, crowd(model="smooth", seed=3), clock=watch, packed=packed) as writing,
-    ):
-        for state in states(crowd(model="smooth", seed=3), 6.0):
+def write_until_full(file: Full, packed: bool) -> None:
+    """A recording of 6 s into a file that is full for one write after 3 s."""
+    world, watch = crowd(model="smooth", seed=3), Watch()
+    with RecordingFile(file, world, clock=watch, packed=packed) as writing:
+        for state in states(world, 6.0):
             file.full = state.place.time > 3.0
             watch.time += 1.0
             writing.add(state)
+
+
+@pytest.mark.parametrize("packed", [False, True])
+def test_nothing_is_written_behind_a_hole(packed: bool) -> None:
+    file = Full()
+    with pytest.raises(OSError, match="no space"):
+        write_until_full(file, packed)
     told = read(file.getvalue())
     assert 2.0 < told.time <= 3.0
     assert told.result is None
