@@ -129,12 +129,14 @@ def relived(last: Lived, givens: Iterable[Given], until: Clock) -> Past:
     pasts finds the difference by itself. `ModelError` as `answered` and `lived`.
     """
     for place, what, residue in givens:
-        last = yield from _up_to(last, place)
-        if residue != last.world.clock[2]:
-            last = yield from _events(last, (*place.moment, residue))
-        if isinstance(what, Cut):
+        if isinstance(
+            what, Cut
+        ):  # time was cut once: to go to its place before would cut it twice (law L1)
             last = yield from lived(last, what.clock)
         else:
+            last = yield from _up_to(last, place)
+            if residue != last.world.clock[2]:
+                last = yield from _events(last, (*place.moment, residue))
             last = answered(last, what)
             yield last
     return (yield from _events(last, until))

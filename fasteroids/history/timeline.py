@@ -11,7 +11,7 @@ that the caller makes. When they cost more than the budget, states that can be l
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
 from math import inf
 from typing import Any, Final
@@ -125,17 +125,19 @@ class Timeline:
         """
         clock = clock_at(time)
         if clock[:2] < self.world.now:
-            raise ModelError(
-                f"this line has come to {self.world.time!r} s already; branch to live on from {shown(time)} s"
-            )
+            if time != self.world.time:
+                raise ModelError(
+                    f"this line has come to {self.world.time!r} s already; branch to live on from {shown(time)} s"
+                )
+            clock = self.world.clock  # its time is only the double nearest to its clock
         return self._until(clock)
 
     def _until(self, clock: Clock) -> Timeline:
-        return self._grown(list(lived(self.last, clock)))
+        return self.grown(list(lived(self.last, clock)))
 
     def take(self, what: Input) -> Timeline:
         """The world outside does something, now. `ModelError` if it makes no sense."""
-        return self._grown([answered(self.last, what)])
+        return self.grown([answered(self.last, what)])
 
     def act(self, ship: int, action: Action) -> Timeline:
         """A ship takes an action, as `fasteroids.act`."""
@@ -153,7 +155,8 @@ class Timeline:
         """An entity is taken out, as `World.remove`."""
         return self.take(Remove(entity))
 
-    def _grown(self, states: list[Lived]) -> Timeline:
+    def grown(self, states: Sequence[Lived]) -> Timeline:
+        """With states that were lived elsewhere, from its last one on, in order, as `living` gives them."""
         line = appended(self.line, states)
         return evolve(self, lines=self.lines.set(self.name, line)).thin()
 

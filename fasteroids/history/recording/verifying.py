@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Generator, Iterator, Mapping
 from heapq import merge
 from itertools import zip_longest
 from math import floor, inf
@@ -21,7 +21,7 @@ from fasteroids.history.recording.writing import Recorder
 from fasteroids.moments import clock_at
 from fasteroids.units import ModelError, shown
 
-__all__ = ["Difference", "Verified", "differing", "verified"]
+__all__ = ["Difference", "Verified", "differing", "verified", "verifying"]
 
 _MOST_SLICES: Final = 2**24
 
@@ -77,6 +77,19 @@ def verified(recording: Recording, *, slice: float | None = None) -> Verified:
     `slice` cuts time at each multiple of so many seconds, which changes nothing where cuts are free. `ModelError`
     where they are recorded, or if it is no time above 0 or gives more than 2^24 cuts.
     """
+    steps = verifying(recording, slice=slice)
+    while True:
+        try:
+            next(steps)
+        except StopIteration as stop:
+            result: Verified = stop.value
+            return result
+
+
+def verifying(
+    recording: Recording, *, slice: float | None = None
+) -> Generator[float, None, Verified]:
+    """As `verified`, step by step: the time (s) of each line that was compared, then what came of all."""
     givens = iter(recording.givens) if slice is None else _sliced(recording, slice)
     again = _again(recording, givens)
     until, compared, difference = recording.world.time, 1, None
@@ -86,6 +99,7 @@ def verified(recording: Recording, *, slice: float | None = None) -> Verified:
             if difference is not None:
                 break
             until = time_of(line)
+            yield until
         compared += 1
     return Verified(difference, until, compared, recording.short, recording.header.libm == libm())
 
