@@ -28,6 +28,7 @@ __all__ = [
     "lived",
     "reached",
     "relived",
+    "up_to",
 ]
 
 
@@ -129,12 +130,10 @@ def relived(last: Lived, givens: Iterable[Given], until: Clock) -> Past:
     pasts finds the difference by itself. `ModelError` as `answered` and `lived`.
     """
     for place, what, residue in givens:
-        if isinstance(
-            what, Cut
-        ):  # time was cut once: to go to its place before would cut it twice (law L1)
+        if isinstance(what, Cut):  # not by way of its place: time would be cut there twice
             last = yield from lived(last, what.clock)
         else:
-            last = yield from _up_to(last, place)
+            last = yield from up_to(last, place)
             if residue != last.world.clock[2]:
                 last = yield from _events(last, (*place.moment, residue))
             last = answered(last, what)
@@ -142,7 +141,7 @@ def relived(last: Lived, givens: Iterable[Given], until: Clock) -> Past:
     return (yield from _events(last, until))
 
 
-def _up_to(last: Lived, place: Place) -> Past:
+def up_to(last: Lived, place: Place) -> Past:
     """Each event up to a place: no more of those at its moment than belong before it."""
     if last.place >= place:
         return last
