@@ -6,7 +6,8 @@ Textual 8 asks for all but the types, and its parser takes none. Here the type i
 what it finds is passed on as a key, a `KeyAgain` or a `KeyUp`.
 
 Private names of Textual that are used: `XTermParser._sequence_to_key_events`, the arguments of `XTermParser`, and of
-`LinuxDriver` the attributes `fileno`, `exit_event`, `_app`, `_loop` and `_debug`. `check` tries the parser.
+`LinuxDriver` the attributes `fileno`, `exit_event`, `_app`, `_loop`, `_debug` and `_writer_thread`. `check` tries the
+parser, for `chosen_driver`.
 """
 
 from __future__ import annotations

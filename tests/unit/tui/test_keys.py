@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from itertools import product
+from pathlib import Path
 
 import pytest
 from hypothesis import given
@@ -305,3 +308,20 @@ def test_keys_are_shown_as_they_are_printed_on_a_keyboard() -> None:
     assert shown[Command.TWO_FIRE] == "Left control, Tab, f"
     assert shown[Command.QUIT] == "Ctrl+Q"
     assert "\n".join(shown.values()).isascii()
+
+
+# Purity.
+
+
+def test_the_pure_parts_need_no_textual() -> None:
+    code = (
+        "import sys; sys.modules['textual'] = None\n"
+        "import fasteroids.tui.keys, fasteroids.tui.controls, fasteroids.tui.scores\n"
+        "import fasteroids.tui.settings, fasteroids.tui.terminal, fasteroids.tui.sound\n"
+        "import fasteroids.tui._store"
+    )
+    root = Path(__file__).resolve().parents[3]
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=root, capture_output=True, text=True, check=False
+    )
+    assert (done.returncode, done.stderr) == (0, "")

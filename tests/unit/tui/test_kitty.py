@@ -271,6 +271,20 @@ def test_a_system_without_such_terminals_gets_textuals_driver_and_a_sentence(
     assert keyboard.KeyUp("a").key == "a"
 
 
+@pytest.mark.parametrize(
+    ("name", "value", "variable"),
+    [
+        ("DRIVER", "textual.drivers.web_driver:WebDriver", "TEXTUAL_DRIVER names another driver"),
+        ("DISABLE_KITTY_KEY", True, "TEXTUAL_DISABLE_KITTY_KEY is set"),
+    ],
+)
+def test_what_the_environment_says_of_the_driver_is_respected(
+    name: str, value: object, variable: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(f"textual.constants.{name}", value)
+    assert chosen_driver() == (None, f"keys that go up are not read: {variable}")
+
+
 # A real terminal.
 
 APP = """
