@@ -30,7 +30,7 @@ def test_settings_are_read_back_from_their_text(chosen: Settings) -> None:
 
 
 def test_an_empty_file_is_the_defaults() -> None:
-    assert read_settings("") == (DEFAULTS, ())
+    assert read_settings("") == (Settings(preset("arrows"), None, 30, True), ())
     assert read_settings(text_of(DEFAULTS)) == (DEFAULTS, ())
 
 

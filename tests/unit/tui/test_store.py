@@ -238,7 +238,7 @@ def test_settings_that_cannot_be_kept_are_told_of(
     store: Store, told: list[str], tmp_path: Path
 ) -> None:
     (tmp_path / "config").write_text("in the way")
-    assert not store.keep(DEFAULTS)
+    assert store.keep(DEFAULTS) is False
     assert len(told) == 1
     assert told[0].startswith("settings are not kept: ")
 

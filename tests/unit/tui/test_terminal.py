@@ -67,6 +67,8 @@ def test_no_color_counts_if_it_is_not_empty() -> None:
 
 def test_the_note_says_what_was_chosen_and_why() -> None:
     assert terminal_of(UTF8).note == "Braille: the locale names UTF-8"
+    dumb = terminal_of({**UTF8, "TERM": "dumb"}).note
+    assert dumb == "ASCII: TERM is dumb; no colours: the terminal is dumb"
     assert (
         terminal_of({"NO_COLOR": "1"}).note
         == "ASCII: no locale names UTF-8; no colours: NO_COLOR is set"
