@@ -6,7 +6,8 @@ Textual 8 asks for all but the types, and its parser takes none. Here the type i
 what it finds is passed on as a key, a `KeyAgain` or a `KeyUp`.
 
 Private names of Textual that are used: `XTermParser._sequence_to_key_events`, the arguments of `XTermParser`, and of
-`LinuxDriver` the attributes `fileno`, `exit_event` and `_debug`. `check` tries them, for `chosen_driver`.
+`LinuxDriver` the attributes `fileno`, `exit_event`, `_app`, `_loop`, `_debug` and `_writer_thread`. `check` tries the
+parser, for `chosen_driver`.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from __future__ import annotations
 import atexit
 import os
 import re
+import sys
 from codecs import getincrementaldecoder
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
@@ -118,11 +120,15 @@ class KittyDriver(LinuxDriver):
         atexit.unregister(self._restore)
 
     def _restore(self) -> None:
-        with suppress(OSError, ValueError):
-            os.write(self.fileno, RESTORED.encode())
+        if sys.__stderr__ is not None:
+            with suppress(OSError, ValueError):
+                os.write(sys.__stderr__.fileno(), RESTORED.encode())
 
     def run_input_thread(self) -> None:
-        """Read what the terminal sends until the end. Bytes that are no UTF-8 become the sign for that."""
+        """Read what the terminal sends until the end. Bytes that are no UTF-8 become the sign for that.
+
+        When nothing more can ever come, as the terminal is gone, the app is told to exit.
+        """
         parser = KittyParser(self._debug)
         decode = getincrementaldecoder("utf-8")("replace").decode
         with DefaultSelector() as selector:
@@ -134,7 +140,8 @@ class KittyDriver(LinuxDriver):
                     except OSError:  # the terminal is gone
                         data = b""
                     if not data:
-                        break
+                        self._loop.call_soon_threadsafe(self._app.exit)
+                        return
                     self._pass_on(parser.feed(text) if (text := decode(data)) else ())
                 self._pass_on(parser.tick())
 
