@@ -28,6 +28,7 @@ __all__ = [
     "lived",
     "reached",
     "relived",
+    "up_to",
 ]
 
 
@@ -125,7 +126,7 @@ def relived(last: Lived, givens: Iterable[Given], until: Clock) -> Past:
     pasts finds the difference by itself. `ModelError` as `answered` and `lived`.
     """
     for place, what in givens:
-        last = yield from _up_to(last, place)
+        last = yield from up_to(last, place)
         if isinstance(what, Cut):
             last = yield from lived(last, what.clock)
         else:
@@ -134,7 +135,7 @@ def relived(last: Lived, givens: Iterable[Given], until: Clock) -> Past:
     return (yield from _events(last, until))
 
 
-def _up_to(last: Lived, place: Place) -> Past:
+def up_to(last: Lived, place: Place) -> Past:
     """Each event up to a place: no more of those at its moment than belong before it."""
     if last.place >= place:
         return last

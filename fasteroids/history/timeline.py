@@ -30,6 +30,7 @@ from fasteroids.history.living import (
     lived,
     reached,
     relived,
+    up_to,
 )
 from fasteroids.history.marks import Marks, marked
 from fasteroids.moments import Clock, advanced, clock_at
@@ -132,6 +133,23 @@ class Timeline:
 
     def _until(self, clock: Clock) -> Timeline:
         return self._grown(list(lived(self.last, clock)))
+
+    def reach(self, place: Place) -> Timeline:
+        """Time goes on up to a place that another past had: of what is due at its moment, only what came before it.
+
+        If fewer happenings lead there than did in that past, all that is due happens. As it is if it has come there.
+        `ModelError` as `evolve`.
+        """
+        states, coming = [], up_to(self.last, place)
+        while True:
+            try:
+                states.append(next(coming))
+            except StopIteration as stop:
+                last: Lived = stop.value
+                break
+        if last.world.now > (states[-1] if states else self.last).world.now:
+            states.append(Lived(last.place, Cut(last.world.clock), last.world))
+        return self._grown(states)
 
     def take(self, what: Input) -> Timeline:
         """The world outside does something, now. `ModelError` if it makes no sense. A cut is time going on up to it."""
