@@ -13,7 +13,7 @@ import attrs
 from rich.console import Console
 from rich.table import Table as Grid
 
-from benchmarks import choices, memory, programs, speed, startup
+from benchmarks import choices, history, memory, programs, recording, speed, startup
 from benchmarks.measure import FULL, QUICK, Effort, Figure, Table
 
 GC_THRESHOLD = 200_000
@@ -27,7 +27,9 @@ BENCHMARKS: Mapping[str, Callable[[Effort], Table]] = {
     "thrust": speed.thrust,
     "idle": speed.idle,
     "programs": programs.programs,
+    "recording": recording.recording,
     "memory": memory.memory,
+    "history": history.history,
     "startup": startup.startup,
     "slots": choices.slots,
     "queue": choices.queue,

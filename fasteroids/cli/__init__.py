@@ -18,6 +18,11 @@ __all__ = ["main"]
 
 COMMANDS: Final = {
     "run": "Evolve a scene and tell what happens.",
+    "record": "Run a scene into a recording.",
+    "verify": "Live recordings again, and compare.",
+    "diff": "Find where two recordings part.",
+    "show": "Show what is in a recording, or how somebody died.",
+    "export": "Write a recording as tables, or its world as a scene.",
     "audit": "Run a scene and measure how well the laws were kept.",
     "trace": "Tell each small step of a ship's program.",
     "check": "Find every fault of ship programs.",

@@ -5,25 +5,16 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from math import isfinite
-from typing import Any, Final
+from typing import Any
 
 from attrs import fields
 
-from fasteroids.actions import Action, Fire, Skip, Thrust, ThrustOff, Turn
 from fasteroids.entities import Entity, Ship
-from fasteroids.events import Happened
-from fasteroids.lang import Span
+from fasteroids.history.recording.events import action_name as action_name
+from fasteroids.history.recording.events import event_record as event
 from fasteroids.state import World
 
 __all__ = ["action_name", "compact", "event", "indented", "world_record"]
-
-_ACTIONS: Final[Mapping[type[Action], str]] = {
-    Turn: "turn",
-    Fire: "fire",
-    Thrust: "thrust",
-    ThrustOff: "thrust_off",
-    Skip: "skip",
-}
 
 
 def compact(record: Mapping[str, Any]) -> str:
@@ -34,23 +25,6 @@ def compact(record: Mapping[str, Any]) -> str:
 def indented(record: Mapping[str, Any]) -> str:
     """JSON for people, with the end of its last line."""
     return json.dumps(record, default=str, allow_nan=False, indent=2) + "\n"
-
-
-def event(happened: Happened) -> dict[str, Any]:
-    """An event: time, kind, entities, effect, and the other fields where they say something."""
-    record: dict[str, Any] = {
-        "time": happened.time,
-        "kind": happened.kind,
-        "entities": happened.entities,
-        "effect": happened.effect,
-    }
-    for name in ("wall", "died", "born", "clipped", "prints", "span", "reason"):
-        value = getattr(happened, name)
-        if value is not None and value != ():
-            record[name] = value._asdict() if isinstance(value, Span) else value
-    if happened.at is not None:
-        record["at"] = [_number(z) for z in happened.at]
-    return record
 
 
 def world_record(world: World) -> dict[str, Any]:
@@ -80,8 +54,3 @@ def _entity(e: Entity) -> dict[str, Any]:
 
 def _number(value: float) -> float | None:
     return value if isfinite(value) else None
-
-
-def action_name(action: Action) -> str:
-    """The word of the language for an action."""
-    return _ACTIONS[type(action)]

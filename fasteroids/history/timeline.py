@@ -11,7 +11,7 @@ that the caller makes. When they cost more than the budget, states that can be l
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
 from math import inf
 from typing import Any, Final
@@ -126,13 +126,15 @@ class Timeline:
         """
         clock = clock_at(time)
         if clock[:2] < self.world.now:
-            raise ModelError(
-                f"this line has come to {self.world.time!r} s already; branch to live on from {shown(time)} s"
-            )
+            if time != self.world.time:
+                raise ModelError(
+                    f"this line has come to {self.world.time!r} s already; branch to live on from {shown(time)} s"
+                )
+            clock = self.world.clock  # its time is only the double nearest to its clock
         return self._until(clock)
 
     def _until(self, clock: Clock) -> Timeline:
-        return self._grown(list(lived(self.last, clock)))
+        return self.grown(list(lived(self.last, clock)))
 
     def reach(self, place: Place) -> Timeline:
         """Time goes on up to a place that another past had: of what is due at its moment, only what came before it.
@@ -149,13 +151,13 @@ class Timeline:
                 break
         if last.world.now > (states[-1] if states else self.last).world.now:
             states.append(Lived(last.place, Cut(last.world.clock), last.world))
-        return self._grown(states)
+        return self.grown(states)
 
     def take(self, what: Input) -> Timeline:
         """The world outside does something, now. `ModelError` if it makes no sense. A cut is time going on up to it."""
         if isinstance(what, Cut):
             return self._until(what.clock)
-        return self._grown([answered(self.last, what)])
+        return self.grown([answered(self.last, what)])
 
     def act(self, ship: int, action: Action) -> Timeline:
         """A ship takes an action, as `fasteroids.act`."""
@@ -173,7 +175,8 @@ class Timeline:
         """An entity is taken out, as `World.remove`."""
         return self.take(Remove(entity))
 
-    def _grown(self, states: list[Lived]) -> Timeline:
+    def grown(self, states: Sequence[Lived]) -> Timeline:
+        """With states that were lived elsewhere, from its last one on, in order, as `living` gives them."""
         line = appended(self.line, states)
         return evolve(self, lines=self.lines.set(self.name, line)).thin()
 

@@ -2,6 +2,8 @@
 
 `dump_scene` writes what decides the future, flight by flight, so `load_scene` gives back an equal world with
 the same future, bit for bit. By hand all of that may be left out. docs/scenes.md describes every field.
+
+Between a world and its text stands a *document*: its tables as dictionaries and lists, which JSON can hold too.
 """
 
 from __future__ import annotations
@@ -9,22 +11,26 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import islice
 from math import isfinite
-from typing import Final
-
-from attrs import NOTHING, fields
+from typing import Any, Final
 
 from fasteroids import models
+from fasteroids.actions import Program
 from fasteroids.courses import LIMIT, WALLS, course
 from fasteroids.engine import Engine
-from fasteroids.entities import Asteroid, Bullet, Entity, Ship, moving
-from fasteroids.moments import ORIGIN, START, moment_at, resolution, seconds, tick_after
+from fasteroids.entities import Entity, Ship, moving
+from fasteroids.moments import ORIGIN, resolution, seconds, tick_after
 from fasteroids.overlap import Placed, depth, own_bullet, slack
 from fasteroids.paths import Limited, Parabola
-from fasteroids.scene._draft import Draft, Member, drafted
+from fasteroids.scene._draft import Draft, Member, drafted, lone, lone_program
 from fasteroids.scene._field import MOST_TRIES, scattered
-from fasteroids.scene._programs import Read, row_of
+from fasteroids.scene._programs import Read as Read
+from fasteroids.scene._programs import row_of as program_row
 from fasteroids.scene._table import Faults, Table
-from fasteroids.scene._text import Path, Problem, SceneError, parsed, written
+from fasteroids.scene._text import Path, SceneError, parsed
+from fasteroids.scene._text import Problem as Problem
+from fasteroids.scene._writing import document as document
+from fasteroids.scene._writing import dump_scene as dump_scene
+from fasteroids.scene._writing import entity_row as entity_row
 from fasteroids.state import (
     Flight,
     World,
@@ -36,9 +42,21 @@ from fasteroids.state import (
     push,
     replaced,
 )
-from fasteroids.units import FUEL, ModelError
+from fasteroids.units import ModelError
 
-__all__ = ["Problem", "SceneError", "dump_scene", "load_scene"]
+__all__ = [
+    "Problem",
+    "Read",
+    "SceneError",
+    "document",
+    "dump_scene",
+    "entity_of",
+    "entity_row",
+    "load_scene",
+    "program_in",
+    "program_row",
+    "world_of",
+]
 
 _MOST_OVERLAPS = 100
 """Overlaps reported of one file: n entities in one place have n (n - 1) / 2."""
@@ -62,7 +80,42 @@ def load_scene(
     chosen = {"seed": seed, "model": model}
     if isinstance(document.get("world"), dict):
         document["world"] |= {name: value for name, value in chosen.items() if value is not None}
-    faults = Faults(text)
+    return _read(document, Faults(text), read)
+
+
+def world_of(document: Mapping[str, Any], *, read: Read | None = None) -> World:
+    """The world of a document, such as `document` gives: also after a way through JSON, and with the same bits.
+
+    It is trusted as little as a text: `SceneError` as `load_scene`, without the numbers of lines.
+    """
+    return _read(document, Faults(""), read)
+
+
+def entity_of(kind: str, row: Mapping[str, Any], *, read: Read | None = None) -> Entity:
+    """The entity of a kind and a row, such as `entity_row` gives; without an id if the row has none.
+
+    `SceneError` as `world_of`, and if the kind is none, or the row tells of a flight as a scene's may.
+    """
+    faults = Faults("")
+    entity = lone(kind, row, faults, read)
+    faults.stop()
+    assert entity is not None
+    return entity
+
+
+def program_in(row: Mapping[str, Any], *, read: Read | None = None) -> Program | None:
+    """The program that the fields of a row tell, such as `program_row` gives; None if they tell none.
+
+    `SceneError` as `world_of`.
+    """
+    faults = Faults("")
+    program = lone_program(row, faults, read)
+    faults.stop()
+    return program
+
+
+def _read(document: Mapping[str, Any], faults: Faults, read: Read | None) -> World:
+    """The world of a document; `SceneError` with all that is wrong with it."""
     draft = drafted(document, faults, read)
     flights = [_flight(member, draft.world, faults) for member in draft.members]
     world = replaced(draft.world, draft.world.clock, (), flights, (), draft.next_id)
@@ -217,86 +270,3 @@ def _with_fields(draft: Draft, world: World, listed: Sequence[Entity], faults: F
             )
     faults.stop()
     return world.add_all(asteroid for asteroids in found for asteroid in asteroids)
-
-
-# Writing.
-
-
-def dump_scene(world: World) -> str:
-    """A scene file of a world: `load_scene` gives back an equal one with the same future, bit for bit.
-
-    Every entity is written as it was when its flight began, with the moment of that if it is not now. Ids are
-    left out where those that `load_scene` gives are the same. `ModelError` if a ship has a program that is no text
-    of the language, or if an id is too long to be written.
-    """
-    flights = sorted(world.all_flights().values(), key=lambda f: _ORDER[type(f.entity)])
-    names = [f.entity.name for f in flights if f.entity.name is not None]
-    usual = [f.entity.id for f in flights] == list(range(1, len(flights) + 1))
-    usual = usual and world.roster.next_id == len(flights) + 1
-    with_ids = not usual or len(set(names)) < len(names)
-    tables = [("[world]", _head(world, with_ids=with_ids))]
-    tables += [(_HEADERS[type(f.entity)], _row(f, world, with_ids=with_ids)) for f in flights]
-    return "\n".join(
-        "".join([header, "\n", *(f"{key} = {written(value)}\n" for key, value in table.items())])
-        for header, table in tables
-    )
-
-
-_HEADERS: Final[Mapping[type[Entity], str]] = {
-    Ship: "[[ship]]",
-    Asteroid: "[[asteroid]]",
-    Bullet: "[[bullet]]",
-}
-_ORDER: Final = {kind: i for i, kind in enumerate(_HEADERS)}
-
-
-def _head(world: World, *, with_ids: bool) -> dict[str, object]:
-    """The fields of [world]; those at their defaults are left out."""
-    head: dict[str, object] = {"width": world.width, "height": world.height}
-    if world.seed != 0:
-        head["seed"] = world.seed
-    if world.model != models.DEFAULT:
-        head["model"] = world.model
-    if world.fuel != FUEL:
-        head["fuel"] = world.fuel
-    if world.clock != START:
-        head["time"] = _time(*world.clock)
-    if with_ids and world.roster.next_id != max(world.roster.slots, default=0) + 1:
-        head["next_id"] = world.roster.next_id
-    return head
-
-
-def _row(f: Flight, world: World, *, with_ids: bool) -> dict[str, object]:
-    """The fields of an entity and its flight; those at their defaults are left out."""
-    e = f.entity
-    row: dict[str, object] = {}
-    if e.name is not None:
-        row["name"] = e.name
-    if with_ids:
-        row["id"] = e.id
-    for a in fields(type(e)):
-        value = getattr(e, a.name)
-        if a.name not in ("name", "id", "program") and (a.default is NOTHING or value != a.default):
-            row[a.name] = value
-    if f.since != world.now:
-        row["since"] = _time(*f.since)
-    if f.bounced_off:
-        row["bounced_off"] = f.bounced_off
-    if f.path != path(world, e):
-        row["slowing"] = True
-    if isinstance(e, Ship) and e.program is not None:
-        try:
-            row |= row_of(e.program)
-        except ModelError as error:
-            raise ModelError(f"{describe(e)} {error}") from None
-        if f.next_tick not in (None, tick_after(world.now)):
-            row["program-tick"] = f.next_tick
-    return row
-
-
-def _time(window: int, offset: float, residue: float = 0.0) -> float | list[float]:
-    """A moment or clock as a number of seconds where that is exact, else as its parts."""
-    if residue != 0.0:
-        return [window, offset, residue]
-    time = seconds(window, offset)
-    return time if moment_at(time) == (window, offset) else [window, offset]

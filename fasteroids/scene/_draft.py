@@ -13,6 +13,7 @@ from typing import Any, Final, TypeGuard
 
 from attrs import frozen
 
+from fasteroids.actions import Program
 from fasteroids.entities import Asteroid, Bullet, Entity, Ship
 from fasteroids.moments import (
     START,
@@ -47,7 +48,7 @@ from fasteroids.scene._text import shown
 from fasteroids.state import World
 from fasteroids.units import SPEED_OF_LIGHT, WINDOW, ModelError
 
-__all__ = ["Draft", "Member", "drafted"]
+__all__ = ["Draft", "Member", "drafted", "lone", "lone_program"]
 
 _MOMENT = Type(
     "must be a number of seconds, or [windows of 1024 s, seconds in the window]",
@@ -177,6 +178,34 @@ def drafted(document: Mapping[str, Any], faults: Faults, read: Read | None = Non
     return Draft(world, next_id or 1, members, scattered)
 
 
+_OF_A_FLIGHT = ("since", "bounced_off", "slowing", "program-tick")
+
+
+def lone(
+    kind: str, row: Mapping[str, Any], faults: Faults, read: Read | None = None
+) -> Entity | None:
+    """An entity that is in no world, without an id if the row has none; None if anything is wrong with it."""
+    if kind not in _KINDS:
+        faults.add(Table((), "", {"kind": kind}), f"must be one of {', '.join(_KINDS)}", "kind")
+        return None
+    table = Table((kind, 0), kind, row)
+    flown = [name for name in _OF_A_FLIGHT if name in row]
+    for name in flown:
+        faults.add(table, "is for an entity that flies in a world", name)
+    member = _member(_KINDS[kind], table, None, {}, None, read, faults)
+    return None if member is None or flown else member.entity
+
+
+def lone_program(
+    row: Mapping[str, Any], faults: Faults, read: Read | None = None
+) -> Program | None:
+    """The program that the fields of a row tell; None if they tell none, or if anything is wrong with it."""
+    before = len(faults)
+    table = Table(("ship", 0), "program", row)
+    values = typed(table, FIELDS, (), faults)
+    return program_of(table, values, read, faults) if len(faults) == before else None
+
+
 # [world]
 
 
@@ -295,7 +324,7 @@ def _whose(table: Table, faults: Faults) -> str:
 
 
 def _member(
-    kind: _Kind, table: Table, entity_id: int, ships: Mapping[str, list[int]],
+    kind: _Kind, table: Table, entity_id: int | None, ships: Mapping[str, list[int]],
     clock: Clock | None, read: Read | None, faults: Faults,
 ) -> Member | None:  # fmt: skip
     """One entity, or None if anything is wrong with it."""

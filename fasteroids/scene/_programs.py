@@ -20,8 +20,11 @@ from fasteroids.units import ModelError
 
 __all__ = ["FIELDS", "Read", "program_of", "row_of"]
 
-Read: TypeAlias = Callable[[str], bytes]
-"""What a scene's reader is asked for the program of a name; `ModelError` with a sentence if there is none."""
+Read: TypeAlias = Callable[[str], bytes | str]
+"""What a scene's reader is asked for the program of a name, the bytes of a file or a text.
+
+`ModelError` with a sentence if there is none.
+"""
 
 FIELDS: Fields = {"program": TEXT, "program-text": TEXT, "program-state": TEXT}
 """The fields of a ship that tell its program."""
@@ -44,7 +47,7 @@ def program_of(
     if text is not None:
         found = text, diagnose(text)
     elif name is not None and (data := _read(table, name, read, faults)) is not None:
-        found = diagnose_bytes(data)
+        found = (data, diagnose(data)) if isinstance(data, str) else diagnose_bytes(data)
     if found is None:
         if state is not None and name is None:
             faults.add(
@@ -55,7 +58,7 @@ def program_of(
     return machine if state is None or machine is None else _resumed(table, machine, state, faults)
 
 
-def _read(table: Table, name: str, read: Read | None, faults: Faults) -> bytes | None:
+def _read(table: Table, name: str, read: Read | None, faults: Faults) -> bytes | str | None:
     try:
         if read is None:
             raise ModelError("cannot be read from here; write the program in program-text")
