@@ -129,19 +129,13 @@ def relived(last: Lived, givens: Iterable[Given], until: Clock) -> Past:
     An input comes at its place even if fewer happenings lead there than did the first time: whoever compares the two
     pasts finds the difference by itself. `ModelError` as `answered` and `lived`.
     """
-<<<<<<< HEAD
-    for place, what in givens:
-        last = yield from up_to(last, place)
-        if isinstance(what, Cut):
-=======
     for place, what, residue in givens:
         if isinstance(
             what, Cut
         ):  # time was cut once: to go to its place before would cut it twice (law L1)
->>>>>>> main
             last = yield from lived(last, what.clock)
         else:
-            last = yield from _up_to(last, place)
+            last = yield from up_to(last, place)
             if residue != last.world.clock[2]:
                 last = yield from _events(last, (*place.moment, residue))
             last = answered(last, what)

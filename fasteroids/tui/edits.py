@@ -37,7 +37,6 @@ from fasteroids.history import (
 )
 from fasteroids.history.living import cuts_decide
 from fasteroids.history.marks import wanted
-from fasteroids.history.questions import past_all_at
 from fasteroids.lang import Diagnostic, check_program, parse_program
 from fasteroids.moments import Clock, advanced, between, clock_at
 from fasteroids.units import ModelError
@@ -49,6 +48,8 @@ _PIECE: Final = 1.0
 """Seconds of the game that are lived at once, if that gives no more than `_MOST_PIECES`."""
 
 _MOST_PIECES: Final = 200
+
+_LAST: Final = 2**63  # comes after all that happens at a moment
 
 
 @frozen
@@ -120,21 +121,20 @@ def editing(
     start, last, clock = fork.last.place, timeline.last, timeline.world.clock
     piece = max(_PIECE, between(start.moment, clock[:2]) / _MOST_PIECES)
     again = _Again(fork.instruct(ship, program), ship, fork.world.roster.next_id, piece)
-    end = last.place
+    whole = isinstance(last.what, Cut)  # else it ends between two happenings, or with an input
     if until is not None and clock_at(until) < clock:
-        clock = max(clock_at(until), fork.world.clock)
-        end = max(start, past_all_at(until))
+        clock, whole = max(clock_at(until), fork.world.clock), True
+    end = Place(*clock[:2], _LAST) if whole else last.place
     for place, what, born in _inputs(timeline, start, end):
-        yield from again.reached(place)
         if isinstance(what, Cut):
             again.cut(what.clock)
+            yield place.time
         else:
+            yield from again.reached(place)
             again.give(place, what, born)
-    if isinstance(last.what, Cut) or end != last.place:
-        yield from again.reached(Place(*clock[:2]))
+    yield from again.reached(end)
+    if whole and again.timeline.world.clock != clock:
         again.cut(clock)
-    else:  # the old line ends between two happenings of a moment, or with an input
-        yield from again.reached(end)
     parted = first_difference(again.timeline, timeline.name, again.timeline.name, by=outwardly)
     return Edited(again.timeline, timeline.name, again.given, tuple(again.left_out), parted)
 

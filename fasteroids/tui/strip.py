@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Mapping
-from math import ceil, isfinite
+from math import ceil, inf, isfinite, nextafter
 from typing import Final, Literal
 
 from attrs import frozen
@@ -219,7 +219,7 @@ def _merged(given: Row) -> Row:
 def _edges(stretch: Stretch, columns: int) -> list[Place]:
     """The places between the columns: right before all that happens at a time."""
     firsts = [Place(*moment_at(_edge(stretch, columns, k))) for k in range(columns)]
-    return [*firsts, past_all_at(stretch.end)]
+    return [*firsts, past_all_at(nextafter(stretch.end, inf))]  # an end may be rounded
 
 
 def _shades(chronicle: Chronicle, stretch: Stretch, columns: int) -> list[int]:
@@ -261,11 +261,12 @@ def _marks(
 
 
 _NEVER: Final = Place(-1, 0.0)
+_LAST: Final = 2**63  # comes after all that happens at a moment
 
 
 def _lines(timeline: Timeline) -> dict[str, Place]:
     """The lines that the past of this one is made of, and up to which place each is part of it."""
-    line, found = timeline.line, {timeline.name: past_all_at(timeline.world.time)}
+    line, found = timeline.line, {timeline.name: Place(*timeline.world.now, _LAST)}
     while line.parent is not None:
         found[line.parent] = line.first.place
         line = timeline.lines[line.parent]

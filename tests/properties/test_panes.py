@@ -246,7 +246,7 @@ def test_a_future_edited_to_what_it_was_is_the_same_but_for_what_was_left_out(
             break
     inputs = [s for s in timeline.forwards(timeline.first.place) if isinstance(s.what, Told)]
     assert outcome.given + len(outcome.left_out) == len(inputs)
-    assert outcome.timeline.world.clock == timeline.world.clock
+    assert outcome.timeline.world.now == timeline.world.now
     if not outcome.left_out:
         assert outcome.parted is None
         assert outcome.timeline.world.all_flights() == timeline.world.all_flights()

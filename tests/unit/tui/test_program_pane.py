@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fasteroids import Fire, ModelError, Ship, Turn
+from fasteroids import Fire, ModelError, Ship, Thrust, Turn
 from fasteroids.history import (
     Act,
     Place,
@@ -331,12 +331,12 @@ def test_inputs_of_others_are_given_again_at_their_places(model: str) -> None:
     world = world_of(
         ship(100.0, 100.0, program=machine("skip;")), ship(800.0, 800.0, mass=1e16), model=model
     )
-    timeline = begin(world)
+    timeline = begin(world).act(2, Thrust())
     for i in range(8):
         timeline = timeline.evolve(0.15).act(2, Turn(0.1 * i)).evolve(0.1)
     timeline = timeline.add(rock(500.0, 500.0)).evolve(0.3).remove(3).act(2, Fire()).evolve(1.0)
     outcome = other(edited(timeline, 1, "print 1; skip;", 0.0))
-    assert outcome.given == 11
+    assert outcome.given == 11  # thrust came before
     assert outcome.left_out == ()
     assert outcome.parted is None
     assert outcome.timeline.world[2] == timeline.world[2]

@@ -169,3 +169,9 @@ def test_no_two_marks_look_alike() -> None:
         signs = [looks[variant] for looks in LEGEND.values()]
         assert len(set(signs)) == len(signs)
         assert not set(signs) & set((" .:-=", " ▁▂▃▄")[variant])
+
+
+def test_a_bookmark_after_all_that_happened_is_shown() -> None:
+    timeline = quiet().bookmark("late", 9.9)
+    assert timeline.last.place.time < 9.0
+    assert "B" in drawn(timeline, 0.0).rows[0].text
