@@ -32,9 +32,9 @@ from fasteroids.state import Flight, World
 
 __all__ = ["FIELDS", "Chronicle", "Entry", "Key", "Sign", "chronicle_of"]
 
-Sign: TypeAlias = Literal["event", "death", "stop", "shot", "contact", "input"]
-"""What a mark stands for. `event` is all that happened, inputs included; a `stop` is the last tick of
-a program, as it ended or halted."""
+Sign: TypeAlias = Literal["event", "loss", "death", "stop", "shot", "contact", "input"]
+"""What a mark stands for. `event` is all that happened, inputs included; a `loss` is the death of a ship; a `stop` is
+the last tick of a program, as it ended or halted."""
 
 FIELDS: Final = ("velocity", "direction", "thruster", "bounced", "flight")
 """The fields whose changes are kept, in the sense of `fasteroids.history.last_change`."""
@@ -115,6 +115,8 @@ def _keys(before: World, state: Lived) -> Iterator[Key]:
     for sign in ("death", "shot", "contact", "input"):
         if sign in kinds:
             yield sign
+    if "death" in kinds and any(_is_ship(before, entity) for entity in state.died):
+        yield "loss"
     if isinstance(what, Happened):
         if what.kind == "tick" and _stopped(state.world, what.entities[0]):
             yield "stop"
@@ -128,6 +130,11 @@ def _keys(before: World, state: Lived) -> Iterator[Key]:
     for entity in about:
         for name in _changed(before, state.world, entity):
             yield entity, name
+
+
+def _is_ship(world: World, entity: int) -> bool:
+    f = _flight(world, entity)
+    return f is not None and isinstance(f.entity, Ship)
 
 
 def _thrusting(world: World) -> Iterator[int]:

@@ -25,17 +25,21 @@ from fasteroids.units import ModelError, shown
 
 __all__ = ["LEGEND", "Mark", "Stretch", "Strip", "strip", "whole"]
 
-Mark = Literal["cursor", "death", "stop", "bookmark", "branch", "shot", "contact", "input"]
-"""What a column can show, the weightiest first. A `contact` is one of the selected entity."""
+Mark = Literal[
+    "cursor", "loss", "stop", "bookmark", "branch", "contact", "death", "shot", "input"
+]  # fmt: skip
+"""What a column can show, the weightiest first. A `loss` is the death of a ship, a `contact` one
+of the selected entity."""
 
 _LOOKS: Final[Mapping[Mark, tuple[str, str, Style]]] = {
     "cursor": ("|", "┃", Style.CURSOR),
-    "death": ("X", "✗", Style.BAD),
+    "loss": ("X", "✗", Style.BAD),
     "stop": ("!", "!", Style.WARNING),
     "bookmark": ("B", "⚑", Style.GOOD),
     "branch": ("Y", "┴", Style.GOOD),
-    "shot": ("*", "∗", Style.VALUE),
     "contact": ("o", "○", Style.LINK),
+    "death": ("x", "⨯", Style.WARNING),
+    "shot": ("*", "∗", Style.VALUE),
     "input": ("i", "▴", Style.CHANGED),
 }
 _SHADES: Final = (" .:-=", " ▁▂▃▄")
@@ -240,7 +244,8 @@ def _marks(
         if stretch.start <= place.time <= stretch.end:
             found.setdefault(_column(stretch, columns, place.time), (mark, place))
 
-    keys: dict[Mark, Key] = {"death": "death", "stop": "stop", "shot": "shot", "input": "input"}
+    keys: dict[Mark, Key] = {"loss": "loss", "stop": "stop", "death": "death"}
+    keys |= {"shot": "shot", "input": "input"}
     if selected is not None:
         keys["contact"] = selected, "contact"
     edges, ends = _edges(stretch, columns), _lines(timeline)

@@ -11,7 +11,7 @@ from fasteroids.tui.chronicle import FIELDS, Chronicle, Sign, chronicle_of
 from tests.unit.history.pasts import arena, fought, states
 from tests.unit.making import machine, ship, world_of
 
-SIGNS: tuple[Sign, ...] = ("event", "death", "stop", "shot", "contact", "input")
+SIGNS: tuple[Sign, ...] = ("event", "loss", "death", "stop", "shot", "contact", "input")
 
 
 @pytest.fixture(scope="module")
