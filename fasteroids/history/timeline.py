@@ -241,13 +241,13 @@ class Timeline:
     def _states(
         self, line: Line, start: tuple[int, int], step: int, wanted: Marks | None
     ) -> Iterator[Lived]:
-        """The states of a line from a kept one on, but for what a branch begins with: that is its parent's."""
+        """The states of a line from a kept one on, but for what a branch begins with if that is its parent's."""
         for each in kept(line, start, step, wanted):
             states = [each.state] if wanted is None or marked(each.state).may_hold(wanted) else []
             if each.gap.size and (wanted is None or each.gap.marks.may_hold(wanted)):
                 states += self._relived(line, each)
             for state in states if step > 0 else reversed(states):
-                if line.parent is None or state is not line.first:
+                if line.parent is None or state is not line.first or state.what is not None:
                     yield state
 
     def _relived(self, line: Line, each: Kept) -> list[Lived]:
@@ -284,7 +284,7 @@ class Timeline:
         parent = next(
             line.name for line, _ in reversed(self._lines()) if line.first.place <= state.place
         )
-        line = begun(name, parent, state._replace(what=None))
+        line = begun(name, parent, state)
         return evolve(self, lines=self.lines.set(name, line), name=name).thin()
 
     def _free(self) -> str:
@@ -293,16 +293,19 @@ class Timeline:
         )
 
     def _looked_up(self, at: float | Place) -> Lived:
-        """The state at a time or a place."""
-        if not isinstance(at, Place):
-            world = self.at(at)
-            before = self.state(Place(*world.now, inf))  # type: ignore[arg-type]  # after all of that moment
-            return Lived(before.place.reaching(world.now), None, world)
-        if self.first.place <= at <= self.last.place:
-            state = self.reached(at)
-            if state.place == at:
-                return state
-        raise ModelError(f"there is no place {tuple(at)} in this past")
+        """The state at a time or a place: without a `what` where this past has one, with a cut between two of them."""
+        place = at if isinstance(at, Place) else Place(*self.at(at).now, inf)  # type: ignore[arg-type]  # after all of it
+        if isinstance(at, Place) and not self.first.place <= at <= self.last.place:
+            raise ModelError(f"there is no place {tuple(at)} in this past")
+        state = self.state(place)
+        if state.place.moment < place.moment:
+            there = self.reached(place)
+            state = there._replace(what=Cut(there.world.clock))
+        else:
+            state = state._replace(what=None)
+        if isinstance(at, Place) and state.place != at:
+            raise ModelError(f"there is no place {tuple(at)} in this past")
+        return state
 
     def switch(self, name: str) -> Timeline:
         """Time goes on in another line. `ModelError` if there is none of this name."""

@@ -28,6 +28,9 @@ class Recorded(Histories):
     def start(self, world: World, runs: list[tuple[int, float]]) -> None:
         super().start(without_scripts(world), runs)
 
+    def jump(self, part: float) -> None:
+        """Not here: L15 tests it."""
+
     @precondition(lambda self: hasattr(self, "timeline"))
     @rule(parts=st.lists(st.floats(0.0, 1.0), min_size=1, max_size=5), thin=st.booleans())
     def record_and_load(self, parts: list[float], thin: bool) -> None:
@@ -60,5 +63,5 @@ def happenings(timeline: Any) -> list[Any]:
 def test_a_past_that_was_recorded_is_loaded_as_it_was() -> None:
     run_state_machine_as_test(
         Recorded,
-        settings=settings(max_examples=min(EXAMPLES // 4, 500), stateful_step_count=12),
+        settings=settings(max_examples=min(EXAMPLES // 2, 1_000), stateful_step_count=12),
     )

@@ -8,8 +8,7 @@ from typing import Final
 from attrs import evolve
 
 from fasteroids.history.inputs import Cut
-from fasteroids.history.lines import Line
-from fasteroids.history.living import Lived, cuts_decide
+from fasteroids.history.living import Lived
 from fasteroids.history.questions import reached
 from fasteroids.history.recording.errors import RecordingError
 from fasteroids.history.recording.lines import Bookmark
@@ -73,7 +72,7 @@ def recorded(timeline: Timeline, *, title: str | None = None) -> str:
     pieces: list[str] = []
     last = timeline.first
     recorder = Recorder(pieces.append, last.world, headed(last.world, title=title))
-    for state in _states(timeline):
+    for state in timeline.forwards(timeline.first.place):
         recorder.add(state)
     for mark in sorted(_marks(timeline), key=lambda mark: mark.state.place):
         recorder.bookmark(mark.name, mark.state.place)
@@ -81,40 +80,13 @@ def recorded(timeline: Timeline, *, title: str | None = None) -> str:
     return "".join(pieces)
 
 
-def _states(timeline: Timeline) -> Iterator[Lived]:
-    """The states of this past after the first.
-
-    Where a branch begins between two happenings its first world was had by a look, and a look is a cut if cuts decide:
-    a state that no line has.
-    """
-    last = timeline.first
-    looks = [line.first for line in _branches(timeline)] if cuts_decide(last.world) else []
-    for state in (*timeline.forwards(last.place), None):
-        while looks and (state is None or looks[0].place < state.place):
-            look = looks.pop(0)
-            if look.place > last.place:
-                yield look._replace(what=Cut(look.world.clock))
-        if state is not None:
-            yield state
-            last = state
-
-
-def _branches(timeline: Timeline) -> list[Line]:
-    """The lines that this past is made of, but for the first, in order."""
-    found: list[Line] = []
-    line = timeline.line
-    while line.parent is not None:
-        found.insert(0, line)
-        line = timeline.lines[line.parent]
-    return found
-
-
 def _marks(timeline: Timeline) -> Iterator[Mark]:
     """The bookmarks in this past: on its lines, and not after the place where a line is left."""
-    ends = {timeline.name: timeline.last.place}
-    for line in reversed(_branches(timeline)):
-        assert line.parent is not None
+    line = timeline.line
+    ends = {line.name: line.last.place}
+    while line.parent is not None:
         ends[line.parent] = line.first.place
+        line = timeline.lines[line.parent]
     for mark in timeline.bookmarks.values():
         if mark.line in ends and mark.state.place <= ends[mark.line]:
             yield mark

@@ -269,6 +269,23 @@ def test_ctrl_c_ends_a_recording_that_is_whole(
     assert verified(found).difference is None
 
 
+@pytest.mark.parametrize("name", ["out.jsonl", "out.jsonl.gz"])
+def test_what_is_killed_can_be_read_up_to_the_last_flush(
+    spawn: Spawn, call: Call, busy: str, tmp_path: Path, name: str
+) -> None:
+    out = tmp_path / name
+    process = spawn("record", busy, *ENDLESS, "-o", str(out))
+    under_way(process, out, 50_000)
+    process.kill()
+    process.communicate(timeout=PATIENCE)
+    found = read_from(out)
+    assert found.short is not None
+    assert len(found.lines) > 100
+    shown = call("verify", str(out))
+    assert shown.exit_code == 0
+    assert shown.stdout.startswith(f"{out}: ok as far as it goes, ")
+
+
 def test_a_reader_that_leaves_ends_it_quietly(busy: str) -> None:
     run = subprocess.run(
         ["/bin/sh", "-c", '"$0" -m fasteroids record "$1" --for 1e9 -o - | head -n 3',
