@@ -130,9 +130,7 @@ def relived(last: Lived, givens: Iterable[Given], until: Clock) -> Past:
     pasts finds the difference by itself. `ModelError` as `answered` and `lived`.
     """
     for place, what, residue in givens:
-        if isinstance(
-            what, Cut
-        ):  # time was cut once: to go to its place before would cut it twice (law L1)
+        if isinstance(what, Cut):  # not by way of its place: time would be cut there twice
             last = yield from lived(last, what.clock)
         else:
             last = yield from up_to(last, place)

@@ -29,7 +29,12 @@ def test_no_difference(call: Call, recording: str, tmp_path: Path) -> None:
     assert shown.exit_code == 0
     assert shown.output == f"no difference: {events} events to 20 s\n"
     record = json.loads(call("diff", recording, str(packed), "--json").stdout)
-    assert record == {"files": [recording, str(packed)], "same": True, "difference": None}
+    assert record == {
+        "files": [recording, str(packed)],
+        "same": True,
+        "difference": None,
+        "happened": None,
+    }
 
 
 def test_the_first_difference_with_what_each_says(call: Call, recording: str) -> None:
@@ -62,7 +67,24 @@ def test_other_seeds_are_other_worlds(call: Call, recording: str, tmp_path: Path
     assert call("record", "one-on-one", "--seed", "6", "-o", other).exit_code == 0
     shown = call("diff", recording, other)
     assert shown.exit_code == 1
-    assert shown.stdout == f"line 1, at 0.0 s: seed\n  {recording}: 5\n  {other}: 6\n"
+    first, *rest = shown.stdout.splitlines()
+    assert (first, rest[:2]) == ("line 1, at 0.0 s: seed", [f"  {recording}: 5", f"  {other}: 6"])
+    assert rest[2].startswith("what happened parts on line ")
+    found = json.loads(call("diff", recording, other, "--json").stdout)["happened"]
+    assert f"line {found['line']}, at {found['time']!r} s" in rest[2]
+
+
+def test_games_that_begin_differently_may_go_the_same_way(
+    call: Call, recording: str, tmp_path: Path
+) -> None:
+    other = str(tmp_path / "other")
+    assert call("record", "one-on-one", "--seed", "5", "--for", "0.1", "-o", other).exit_code == 0
+    head = Path(other).read_text().replace('"seed":5', '"seed":6')
+    changed = tmp_path / "changed"
+    changed.write_text(head)
+    shown = call("diff", other, str(changed))
+    assert shown.exit_code == 1
+    assert shown.stdout.splitlines()[-1] == "what happened is the same"
 
 
 def test_bookmarks_and_unknown_fields_are_no_difference(call: Call, recording: str) -> None:
