@@ -17,6 +17,10 @@ from fasteroids.cli._guard import guarded
 __all__ = ["main"]
 
 COMMANDS: Final = {
+    "play": "Play on the terminal.",
+    "watch": "Look on while the programs of a scene play.",
+    "replay": "List the last games, or look at one again.",
+    "serve": "Play in a browser.",
     "run": "Evolve a scene and tell what happens.",
     "audit": "Run a scene and measure how well the laws were kept.",
     "trace": "Tell each small step of a ship's program.",
