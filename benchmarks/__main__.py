@@ -13,7 +13,16 @@ import attrs
 from rich.console import Console
 from rich.table import Table as Grid
 
-from benchmarks import choices, memory, programs, recording, speed, startup
+from benchmarks import (
+    choices,
+    frames,
+    history,
+    memory,
+    programs,
+    recording,
+    speed,
+    startup,
+)
 from benchmarks.measure import FULL, QUICK, Effort, Figure, Table
 
 GC_THRESHOLD = 200_000
@@ -28,7 +37,9 @@ BENCHMARKS: Mapping[str, Callable[[Effort], Table]] = {
     "idle": speed.idle,
     "programs": programs.programs,
     "recording": recording.recording,
+    "frames": frames.frames,
     "memory": memory.memory,
+    "history": history.history,
     "startup": startup.startup,
     "slots": choices.slots,
     "queue": choices.queue,

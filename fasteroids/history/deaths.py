@@ -68,7 +68,8 @@ class Death:
 
     `courses` are its own and that of the one it touched, if it did; `shots` how the bullets among them were fired,
     if this past knows; `deeds` the last deed of each ship involved, up to and with the death: those that touched, and
-    those that fired the bullets. `how`: by a contact, a bullet at its second wall, or by a shot: fired where it stood.
+    those that fired the bullets; `stops` the ticks in which programs of theirs had stopped by then, for good. `how`: by
+    a contact, a bullet at its second wall, or by a shot: fired where it stood.
     """
 
     how: Literal["contact", "wall", "shot"]
@@ -76,6 +77,7 @@ class Death:
     courses: tuple[Course, ...]
     shots: tuple[Deed, ...]
     deeds: tuple[Deed, ...]
+    stops: tuple[Lived, ...] = ()
 
     @property
     def entity(self) -> Entity:
@@ -119,6 +121,7 @@ class Death:
             *map(str, self.courses),
             *(f"ship #{shot.ship} fired: {shot}" for shot in self.shots),
             *(f"ship #{deed.ship} did last: {deed}" for deed in self.deeds),
+            *map(_stopped, self.stops),
         ]
         return "\n  ".join(rows)
 
@@ -137,12 +140,14 @@ def why(timeline: Timeline, entity: int) -> Death:
     ships = {id_of(course.entity) for course in courses if isinstance(course.entity, Ship)}
     ships |= {bullet.source for bullet in bullets}
     deeds = [_last_deed(timeline, ship, state.place) for ship in sorted(ships)]
+    stops = [_stop(timeline, ship, state.place) for ship in sorted(ships)]
     return Death(
         how,
         state,
         courses,
         tuple(shot for shot in shots if shot is not None),
         tuple(deed for deed in deeds if deed is not None),
+        tuple(stop for stop in stops if stop is not None),
     )
 
 
@@ -232,6 +237,28 @@ def _last_deed(timeline: Timeline, ship: int, place: Place) -> Deed | None:
         if action is not None:
             return Deed(ship, action, state)
     return None
+
+
+def _stop(timeline: Timeline, ship: int, place: Place) -> Lived | None:
+    """The state in which the program of a ship stopped for good, if it has by a place: its last tick."""
+    for state in timeline.backwards(place, wanted("tick", ship)):
+        what = state.what
+        if isinstance(what, Happened) and what.kind == "tick" and what.entities == (ship,):
+            flown = state.world[ship] if ship in state.world else None
+            program = flown.program if isinstance(flown, Ship) else None
+            return state if program is not None and not program.running else None
+    return None
+
+
+def _stopped(state: Lived) -> str:
+    """One line for people: when and why a program stopped."""
+    what = state.what
+    assert isinstance(what, Happened)
+    if what.reason is None:
+        why = "it came to its end"
+    else:
+        why = f"line {what.span.line}: {what.reason}" if what.span is not None else what.reason
+    return f"the program of ship #{what.entities[0]} had stopped at {what.time!r} s: {why}"
 
 
 def _shot(timeline: Timeline, bullet: Bullet, death: Lived) -> Deed | None:

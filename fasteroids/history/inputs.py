@@ -95,6 +95,8 @@ class Given(NamedTuple):
 
     place: Place
     what: Input
+    residue: float = 0.0
+    """That of the clock as it came, s: what the caller's steps had left over (see `fasteroids.moments`)."""
 
 
 def applied(world: World, what: Act | Instruct | Add | Remove) -> World:

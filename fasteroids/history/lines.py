@@ -153,6 +153,8 @@ def thinned(line: Line, excess: int) -> Line:
     target, decide = line.bytes - excess, cuts_decide(line.first.world)
     chunks: Any = line.chunks.evolver()
     total, coarse, hand, left = line.bytes, line.coarse, line.hand, None
+    if target < total:  # no round that would drop too little
+        coarse = max(coarse, 1 << (total // max(target, 1)).bit_length() - 1)
     while total > target:
         if hand >= len(chunks):
             grouped, hand = _grouped(chunks.persistent()), 0
@@ -204,14 +206,14 @@ def _priced(kept: Kept) -> Kept:
 
 def _bridged(gap: Gap, dropped: Kept, *, cuts: bool) -> Gap:
     """A gap, a state that is dropped after it, and the gap after that, in one."""
-    (place, what, _), after = dropped.state, dropped.gap
+    (place, what, world), after = dropped.state, dropped.gap
     size, givens, marks = gap.size + after.size, gap.givens, joined(gap.marks, after.marks)
     if not isinstance(what, Cut):
         size, marks = size + 1, joined(marks, marked(dropped.state))
     elif cuts:
         size, givens = size + 1, (*givens, Given(place, what))
     if isinstance(what, Told):
-        givens = (*givens, Given(_before(place), what.what))
+        givens = (*givens, Given(_before(place), what.what, world.clock[2]))
     return Gap(size, givens + after.givens, marks)
 
 

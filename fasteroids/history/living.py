@@ -109,12 +109,16 @@ def answered(last: Lived, what: Input) -> Lived:
 
 
 def reached(last: Lived, moment: Moment) -> Lived:
-    """The state as time reaches a moment to which nothing more happens. A look is a cut, if cuts decide."""
+    """The state as time reaches a moment before which nothing more happens. A look is a cut, if cuts decide.
+
+    Unless something happens at that very moment: then the cut is that of the happening.
+    """
     world = last.world
     if moment <= world.now:
         return last
     clock = (*moment, 0.0)
-    world = answered(last, Cut(clock)).world if cuts_decide(world) else evolve(world, clock=clock)
+    cut = list(lived(last, clock)) if cuts_decide(world) else []
+    world = cut[0].world if len(cut) == 1 else evolve(world, clock=clock)
     return Lived(last.place.reaching(moment), None, world)
 
 
@@ -124,8 +128,10 @@ def relived(last: Lived, givens: Iterable[Given], until: Clock) -> Past:
     An input comes at its place even if fewer happenings lead there than did the first time: whoever compares the two
     pasts finds the difference by itself. `ModelError` as `answered` and `lived`.
     """
-    for place, what in givens:
+    for place, what, residue in givens:
         last = yield from _up_to(last, place)
+        if residue != last.world.clock[2]:
+            last = yield from _events(last, (*place.moment, residue))
         if isinstance(what, Cut):
             last = yield from lived(last, what.clock)
         else:

@@ -9,6 +9,7 @@ from fasteroids.actions import Fire
 from fasteroids.events import Happened
 from fasteroids.history.inputs import Act, Add, Instruct, Remove
 from fasteroids.history.living import Lived, Told
+from fasteroids.units import ModelError, shown
 
 __all__ = [
     "NOTHING",
@@ -54,7 +55,14 @@ def joined(a: Marks, b: Marks) -> Marks:
 
 
 def wanted(kind: Kind, entity: int | None = None) -> Marks:
-    """The marks of what is looked for: of a kind, and about an entity if one is given."""
+    """The marks of what is looked for: of a kind, and about an entity if one is given.
+
+    `ModelError` if there is no such kind, or the entity is no id.
+    """
+    if kind not in _BITS:
+        raise ModelError(f"a kind is one of {', '.join(_BITS)}; got {shown(kind)}")
+    if entity is not None and type(entity) is not int:
+        raise ModelError(f"an entity is meant by its id, an integer; got {shown(entity)}")
     return Marks(_BITS[kind], -1 if entity is None else _bit(entity))
 
 

@@ -21,7 +21,7 @@ from pyrsistent import PMap, pmap
 
 from fasteroids.actions import Action, Program
 from fasteroids.entities import Entity
-from fasteroids.history.inputs import Act, Add, Input, Instruct, Place, Remove
+from fasteroids.history.inputs import Act, Add, Cut, Input, Instruct, Place, Remove
 from fasteroids.history.lines import Kept, Line, appended, begun, index_of, kept, thinned
 from fasteroids.history.living import (
     Lived,
@@ -134,7 +134,9 @@ class Timeline:
         return self._grown(list(lived(self.last, clock)))
 
     def take(self, what: Input) -> Timeline:
-        """The world outside does something, now. `ModelError` if it makes no sense."""
+        """The world outside does something, now. `ModelError` if it makes no sense. A cut is time going on up to it."""
+        if isinstance(what, Cut):
+            return self._until(what.clock)
         return self._grown([answered(self.last, what)])
 
     def act(self, ship: int, action: Action) -> Timeline:

@@ -58,7 +58,7 @@ _LINE_END: Final = re.compile(r"\r\n?|\n")
 
 def legible(text: str) -> str:
     """Text with every character that does not print, or has no width, as an escape. So a terminal obeys none."""
-    return text if text.isprintable() else "".join(_shown(c) for c in text)
+    return text if text.isascii() and text.isprintable() else "".join(map(_shown, text))
 
 
 def cells(text: str) -> int:

@@ -6,6 +6,10 @@ as before costs nothing if its strip is kept.
 
 from __future__ import annotations
 
+import re
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from itertools import pairwise
 from typing import Final
 
 from rich.segment import Segment
@@ -25,6 +29,8 @@ _STYLES: Final = tuple(
     for colour in palette.COLOURS
 )
 
+_WORD: Final = re.compile(r" +|[^ ]+")
+
 
 class Arena(Widget):
     """Shows one frame at a time. Where a frame is smaller than the widget the rest is blank, where larger it is cut.
@@ -40,6 +46,7 @@ class Arena(Widget):
         super().__init__(name=name, id=id, classes=classes)
         self._frame = Frame(0, ())
         self._strips: dict[Row, Strip] = {}
+        self._cut: Callable[[Row], list[Segment]] = _segments
 
     @property
     def frame(self) -> Frame:
@@ -56,6 +63,23 @@ class Arena(Widget):
         self.refresh()
         return True
 
+    @contextmanager
+    def posing(self) -> Iterator[None]:
+        """While a picture is taken (`App.export_screenshot`): every word is placed by itself.
+
+        An SVG stretches each piece of text to its cells, and fonts give Braille, blocks and blanks other widths.
+        """
+        self._recut(_words)
+        try:
+            yield
+        finally:
+            self._recut(_segments)
+
+    def _recut(self, cut: Callable[[Row], list[Segment]]) -> None:
+        self._cut = cut
+        self._strips = {}
+        self.refresh()
+
     def render_line(self, y: int) -> Strip:
         """The cells of a line of the widget."""
         width, rows = self.size.width, self._frame.rows
@@ -64,7 +88,7 @@ class Arena(Widget):
         row = rows[y]
         strip = self._strips.get(row)
         if strip is None:
-            strip = self._strips[row] = Strip(_segments(row), len(row.text))
+            strip = self._strips[row] = Strip(self._cut(row), len(row.text))
         return strip if len(row.text) == width else strip.adjust_cell_length(width, _BLANK)
 
 
@@ -75,13 +99,23 @@ def painted(row: Row, width: int) -> Strip:
 
 
 def _segments(row: Row) -> list[Segment]:
-    """A row as text with styles."""
-    text, at, segments = row.text, 0, []
+    """A row as text with styles, each run with the blanks up to the next one: fewer changes of style to send."""
+    text, runs = row
+    if not runs:
+        return [Segment(text, _BLANK)]
+    starts = [0, *(start for start, _, _ in runs[1:]), len(text)]
+    return [
+        Segment(text[start:end], _STYLES[colour])
+        for start, end, (_, _, colour) in zip(starts, starts[1:], runs, strict=False)
+    ]
+
+
+def _words(row: Row) -> list[Segment]:
+    """A row as text with styles, blanks and words apart."""
+    styles = [_BLANK] * len(row.text)
     for start, end, colour in row.runs:
-        if at < start:
-            segments.append(Segment(text[at:start], _BLANK))
-        segments.append(Segment(text[start:end], _STYLES[colour]))
-        at = end
-    if at < len(text):
-        segments.append(Segment(text[at:], _BLANK))
-    return segments
+        styles[start:end] = [_STYLES[colour]] * (end - start)
+    edges = {0, len(row.text), *(m.start() for m in _WORD.finditer(row.text))}
+    edges |= {edge for start, end, _ in row.runs for edge in (start, end)}
+    ordered = sorted(edges)
+    return [Segment(row.text[start:end], styles[start]) for start, end in pairwise(ordered)]

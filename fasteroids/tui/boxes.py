@@ -14,11 +14,10 @@ from textual.message import Message
 from textual.screen import ModalScreen
 from textual.widgets import Input
 
-from fasteroids.tui import palette
-from fasteroids.tui.canvas import Row
 from fasteroids.tui.keyboard import KeyAgain
-from fasteroids.tui.menu import Entry, Menu, heading, hit, lines, listed, moved, pictured, put
+from fasteroids.tui.menu import Entry, Menu, centred, hit, lines, listed, moved, pictured, put
 from fasteroids.tui.panels import Rows
+from fasteroids.tui.rows import Style
 
 __all__ = ["Ask", "Box", "Choices", "Choose", "Tell"]
 
@@ -74,6 +73,7 @@ class Choices(Rows, Generic[T]):
     def on_click(self, event: events.Click) -> None:
         """Choose what is clicked."""
         event.stop()
+        event.prevent_default()
         at = hit(self.menu, event.y)
         if at is not None:
             self.menu = put(self.menu, at, self.size.height)
@@ -145,16 +145,19 @@ class Box(ModalScreen[R], inherit_bindings=False):
         wanted = self.wanted()
         width = max(min(max(wanted[0], len(self._heading), len(self._foot)), columns - _MARGIN), 1)
         height = max(min(wanted[1], rows - _MARGIN), 1)
-        for name, row in (("#title", heading(self._heading, width)), ("#foot", _foot(self._foot, width))):  # fmt: skip
+        for name, text, style in (
+            ("#title", self._heading, Style.TITLE),
+            ("#foot", self._foot, Style.DIM),
+        ):
             self.query_one(name, Rows).styles.width = width
-            self.query_one(name, Rows).show([row])
+            self.query_one(name, Rows).show([centred(text, width, style)])
         self.fitted(width, height)
 
     def say(self, text: str) -> None:
         """Another line about keys."""
         self._foot = text
         foot = self.query_one("#foot", Rows)
-        foot.show([_foot(text, foot.size.width)])
+        foot.show([centred(text, foot.size.width, Style.DIM)])
 
     def on_key(self, event: events.Key) -> None:
         """Esc leaves; other keys are for what is inside."""
@@ -167,10 +170,6 @@ class Box(ModalScreen[R], inherit_bindings=False):
         """A key went down. Esc leaves."""
         if event.key == "escape":
             self.dismiss(None)
-
-
-def _foot(text: str, width: int) -> Row:
-    return lines(text.center(width), width, palette.TRAIL)[0]
 
 
 class Choose(Box[T]):

@@ -1,32 +1,27 @@
 """A picture of a world: `frame` maps a world and a look at it to rows of characters and colours.
 
 No clock, no terminal: the same world, look and size give the same frame, so frames are tested as text, kept in files
-and compared to find out that nothing moved. The world is letterboxed: whole, in the middle, and with one scale for both
-axes, so that circles stay round. Drawn last, and so never hidden, are the ships.
+and compared to find out that nothing moved. Drawn last, and so never hidden, are the ships.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from itertools import pairwise
 from math import cos, pi, sin, tau
-from typing import Final, NamedTuple
+from typing import Final
 
-from attrs import field, frozen
+from attrs import frozen
 
 from fasteroids.entities import Asteroid, Bullet, Entity, Ship, id_of
+from fasteroids.physics import distance
 from fasteroids.state import World, located
 from fasteroids.tui import palette
-from fasteroids.tui.canvas import SURFACES, Canvas, Row, canvas
+from fasteroids.tui.canvas import Canvas, Row, canvas
+from fasteroids.tui.looks import DEATH_LASTS, ZOOMS, Death, Look, Viewport, viewport
 from fasteroids.tui.overlay import Overlay, Point
-from fasteroids.units import ModelError, shown
 
 __all__ = ["DEATH_LASTS", "ZOOMS", "Death", "Frame", "Look", "Viewport", "frame", "viewport"]
-
-ZOOMS: Final = (1, 2, 4)
-"""How many times the whole world a look may enlarge."""
-
-DEATH_LASTS: Final = 0.8
-"""Seconds during which an explosion is seen."""
 
 _LEAST: Final = 3.0
 """Radius in dots below which a ship is drawn larger than it is, to see where it points."""
@@ -36,53 +31,6 @@ _FAR: Final = 1e6
 
 _FEW_MARKS: Final = 6
 """Up to so many predicted meetings all tell their time; beyond that only those of the selected entity."""
-
-
-class Death(NamedTuple):
-    """Somebody died not long ago."""
-
-    x: float
-    y: float
-    radius: float
-    age: float
-    """Seconds since then; drawn from 0 up to `DEATH_LASTS`."""
-
-
-def _arena(_look: Look, _attribute: object, value: object) -> None:
-    if value not in SURFACES:
-        raise ModelError(f"an arena is one of {', '.join(SURFACES)}; got {shown(value)}")
-
-
-def _zoom(_look: Look, _attribute: object, value: object) -> None:
-    if value not in ZOOMS:
-        raise ModelError(f"a zoom is one of {', '.join(map(str, ZOOMS))}; got {shown(value)}")
-
-
-@frozen(kw_only=True)
-class Look:
-    """How to look at a world, and what to draw besides it.
-
-    Raises: `ModelError` for an unknown arena or zoom.
-    """
-
-    arena: str = field(default="ascii", validator=_arena)
-    """`ascii`, `braille` or `block`."""
-    selected: int | None = None
-    """The id of the entity that is marked, and that the view follows if it is enlarged."""
-    players: tuple[int, ...] = ()
-    """Ids of ships, in the order of their colours and letters, the dead included so that nobody changes colour.
-    Ships that are not named come after them, by id."""
-    trails: tuple[tuple[Point, ...], ...] = ()
-    """Past places of bullets, km."""
-    deaths: tuple[Death, ...] = ()
-    overlay: Overlay | None = None
-    ghosts: World | None = None
-    """Another future of this world, drawn behind it."""
-    tags: bool = True
-    """Are the letters of ships shown? In ASCII they always are."""
-    zoom: int = field(default=1, validator=_zoom)
-    centre: Point | None = None
-    """The middle of an enlarged view, if nobody is selected; None is the middle of the world."""
 
 
 @frozen
@@ -95,62 +43,6 @@ class Frame:
     def __str__(self) -> str:
         """The text without colours."""
         return "".join(f"{row.text}\n" for row in self.rows)
-
-
-class Viewport(NamedTuple):
-    """Which part of space is seen: a place (km) in the middle of a surface, and a scale for both axes."""
-
-    x: float
-    y: float
-    span: float
-    """Km that stand for `dots`: two numbers and not their quotient, which need not be a double."""
-    dots: float
-    """Widths of a dot."""
-    tall: float
-    """Height of a dot over its width."""
-    middle_x: float
-    """The middle of the surface, in dots from the left and (`middle_y`) from the top."""
-    middle_y: float
-
-    def place(self, x: float, y: float) -> Point:
-        """A place (km) in dots, to the right and downwards. Infinite or nan if it was."""
-        dots, span = self.dots, self.span
-        return (
-            self.middle_x + (x - self.x) / span * dots,
-            self.middle_y - (y - self.y) / span * dots / self.tall,
-        )
-
-    def length(self, km: float) -> float:
-        """A length (km) in widths of a dot."""
-        return km / self.span * self.dots
-
-
-def viewport(world: World, look: Look, surface: Canvas) -> Viewport:
-    """The part of a world that is seen: all of it with one dot to spare for its walls, or an enlarged part."""
-    tall = surface.tall
-    wide, high = max(surface.width - 2.0, 0.0), max(surface.height - 2.0, 0.0) * tall
-    width, height = world.width, world.height
-    # Which side is the tighter one? Quotients, since products of extreme sizes would not be doubles.
-    by_width = high == 0.0 or height == 0.0 or width / height >= wide / high
-    span, dots = (width, wide) if by_width else (height, high)
-    span, dots = span or 1.0, dots * look.zoom
-    middle_x, middle_y = surface.width / 2.0, surface.height / 2.0
-    x, y = width / 2.0, height / 2.0
-    if look.zoom > 1:
-        if look.selected in world:
-            x, y = world[look.selected].position  # type: ignore[index]
-        elif look.centre is not None:
-            x, y = look.centre
-        if dots > 0.0:
-            # No further out than the walls: half of what is seen stays on either side, as far as there is so much.
-            x = _within(x, (wide / 2.0) / dots * span, width)
-            y = _within(y, (high / 2.0) / dots * span, height)
-    return Viewport(x, y, span, dots, tall, middle_x, middle_y)
-
-
-def _within(x: float, margin: float, size: float) -> float:
-    """x, at least `margin` away from 0 and from `size`; the middle if there is not so much room."""
-    return min(max(x, margin), size - margin) if 2.0 * margin < size else size / 2.0
 
 
 def frame(world: World, look: Look, columns: int, rows: int) -> Frame:
@@ -169,7 +61,7 @@ class _Painter:
         self.world, self.look, self.surface = world, look, surface
         self.view = viewport(world, look, surface)
         self.plain = look.arena == "ascii"
-        self.ranks = _ranks(world, look.players)
+        self.ranks = _ranks([world, *([look.ghosts] if look.ghosts else [])], look.players)
 
     def paint(self) -> None:
         """From the back to the front."""
@@ -181,7 +73,10 @@ class _Painter:
             self._track(trail, palette.TRAIL, ".")
         if look.overlay is not None:
             for way in look.overlay.lines:
-                self._track(way.points, palette.OVERLAY, ".", every=1 if self.plain else 3)
+                points = _off(
+                    way.points, self.world[way.id].radius if way.id in self.world else 0.0
+                )
+                self._track(points, palette.OVERLAY, ".", every=1 if self.plain else 3)
         entities = _present(self.world)
         for e in entities:
             if type(e) is Asteroid:
@@ -235,7 +130,9 @@ class _Painter:
 
     def _ship(self, ship: Ship, ghost: bool = False) -> None:
         x, y = self.view.place(ship.x, ship.y)
-        rank = self.ranks.get(id_of(ship), 0)
+        if not (abs(x) < _FAR and abs(y) < _FAR and self.view.length(ship.radius) < _FAR):
+            return
+        rank = self.ranks[id_of(ship)]
         colour = palette.GHOST if ghost else palette.player(rank)
         if self.plain:
             self._lettered(ship, rank, x, y, colour, ghost)
@@ -246,8 +143,6 @@ class _Painter:
         """A ship as a figure that points where it faces, at least big enough to see where."""
         surface = self.surface
         size = max(self.view.length(ship.radius), _LEAST)
-        if not size < _FAR:
-            return
         c, s = cos(ship.direction) * size, sin(ship.direction) * size
         tall = surface.tall
         if ship.thruster and not ghost:
@@ -263,7 +158,7 @@ class _Painter:
                 (x + forward * c - left * s, y - (forward * s + left * c) / tall)
                 for forward, left in polyline
             ]
-            for (ax, ay), (bx, by) in zip(corners, corners[1:], strict=False):
+            for (ax, ay), (bx, by) in pairwise(corners):
                 surface.line(ax, ay, bx, by, colour, every=2 if ghost else 1)
 
     def _lettered(
@@ -275,13 +170,18 @@ class _Painter:
         letter = palette.letter(rank)
         if radius >= 2.5:
             surface.circle(x, y, radius, colour, sparse=ghost)
-        right, down, nose = _NOSES[round(ship.direction / (pi / 4.0)) % 8]
-        reach_x, reach_y = max(1, round(radius)), max(1, round(radius / 2.0))
+        right, down, shaft, nose = _NOSES[round(ship.direction / (pi / 4.0)) % 8]
+        reach = min(max(1, round(radius)), surface.columns)
+        high = max(1, round(reach / 2.0)) if down else 0
+        steps = high if down else reach  # a diagonal goes down a row for each column
+        dx, dy = (right * reach / steps, float(down))
         if ship.thruster and not ghost:
-            surface.dot(
-                x - right * reach_x, y - down * reach_y, palette.FLAME, "~" if right else '"'
-            )
-        surface.dot(x + right * reach_x, y + down * reach_y, colour, "." if ghost else nose)
+            back = steps if radius >= 2.5 else 1  # behind the outline, if there is one
+            sign = "~" if right else '"'
+            surface.dot(x - dx * back, y - dy * back, palette.FLAME, sign)
+        for i in range(1, steps):
+            surface.dot(x + dx * i, y + dy * i, colour, "." if ghost else shaft)
+        surface.dot(x + dx * steps, y + dy * steps, colour, "." if ghost else nose)
         surface.dot(x, y, colour, letter.lower() if ghost else letter)
 
     def _explosion(self, death: Death) -> None:
@@ -293,9 +193,9 @@ class _Painter:
         x, y = self.view.place(death.x, death.y)
         radius = min(max(self.view.length(death.radius), 2.0), 64.0)
         sign = "*" if share < 0.4 else "+" if share < 0.7 else "."
-        fragments = 12 if self.plain else 24
+        fragments = 16 if radius >= 6.0 else 8
         for i in range(fragments):
-            far = radius * (0.3 + 1.2 * share) * (1.0 if i % 2 else 0.6)
+            far = radius * (0.3 + 1.2 * share) * (0.7 if i % 2 else 1.0)
             angle = i * tau / fragments
             surface.dot(
                 x + far * cos(angle), y - far * sin(angle) / surface.tall, palette.EXPLOSION, sign
@@ -317,7 +217,7 @@ class _Painter:
 
     def _track(self, points: Sequence[Point], colour: int, sign: str, every: int = 1) -> None:
         places = [self.view.place(x, y) for x, y in points]
-        for (ax, ay), (bx, by) in zip(places, places[1:], strict=False):
+        for (ax, ay), (bx, by) in pairwise(places):
             self.surface.line(ax, ay, bx, by, colour, every=every, sign=sign)
 
     def _marks(self, overlay: Overlay) -> None:
@@ -358,11 +258,11 @@ class _Painter:
             if not (abs(x) < _FAR and abs(y) < _FAR):
                 continue
             column, row = int(x) // surface.across, int(y) // surface.down
-            size = self.view.length(e.radius)
+            size = min(self.view.length(e.radius), _FAR)
+            tag = 0
             if type(e) is Ship and not self.plain:
-                size = 1.3 * max(size, _LEAST)
-            size = min(size, _FAR)
-            reach = int(size / surface.across) + 2
+                size, tag = 1.3 * max(size, _LEAST), int(self.look.tags)
+            reach = int(size / surface.across) + 2 + tag
             left, right = column - reach, column + reach
             surface.text(left, row, "[", palette.SELECTED)
             surface.text(right, row, "]", palette.SELECTED)
@@ -381,10 +281,10 @@ class _Painter:
 
 
 _NOSES: Final = (
-    (1, 0, ">"), (1, -1, "/"), (0, -1, "^"), (-1, -1, "\\"),
-    (-1, 0, "<"), (-1, 1, "/"), (0, 1, "v"), (1, 1, "\\"),
+    (1, 0, "-", ">"), (1, -1, "/", "/"), (0, -1, "|", "^"), (-1, -1, "\\", "\\"),
+    (-1, 0, "-", "<"), (-1, 1, "/", "/"), (0, 1, "|", "v"), (1, 1, "\\", "\\"),
 )  # fmt: skip
-"""Columns to the right, rows down and sign of a nose, by eighths of a turn."""
+"""Columns to the right, rows down, and the signs of a nose, by eighths of a turn."""
 
 
 def _present(world: World) -> list[Entity]:
@@ -393,11 +293,23 @@ def _present(world: World) -> list[Entity]:
     return [located(flights[slot], now) for _, slot in sorted(world.roster.slots.items())]  # type: ignore[arg-type]
 
 
-def _ranks(world: World, players: Sequence[int]) -> dict[int, int]:
-    """The rank of each ship, which decides its colour, figure and letter."""
+def _off(points: Sequence[Point], radius: float) -> Sequence[Point]:
+    """A way without the part that its entity covers, if that is part of its first piece."""
+    if len(points) > 1:
+        (x, y), (to_x, to_y) = points[:2]
+        length = distance(to_x - x, to_y - y)
+        if radius < length:
+            share = radius / length
+            return [(x + (to_x - x) * share, y + (to_y - y) * share), *points[1:]]
+    return points
+
+
+def _ranks(worlds: Iterable[World], players: Sequence[int]) -> dict[int, int]:
+    """The rank of each ship, which decides its colour, figure and letter: players first, then by world and id."""
     ranks = {i: rank for rank, i in enumerate(dict.fromkeys(players))}
-    for i, slot in sorted(world.roster.slots.items()):
-        f = world.flights[slot]
-        if f is not None and type(f.entity) is Ship:
-            ranks.setdefault(i, len(ranks))
+    for world in worlds:
+        for i, slot in sorted(world.roster.slots.items()):
+            f = world.flights[slot]
+            if f is not None and type(f.entity) is Ship:
+                ranks.setdefault(i, len(ranks))
     return ranks

@@ -204,7 +204,7 @@ class Dots(Canvas):
         self._ink[i] = colour
 
     def _stamp(self, x: float, y: float, radius: float, sparse: bool) -> Stamp:
-        return _dotted(self.bits, int(x), int(y), round(radius * 4.0), sparse)
+        return _dotted(self.bits, int(x), int(y), round(radius), sparse)
 
     def _mark(self, at: int, mask: int) -> None:
         self._cells[at] |= mask
@@ -256,13 +256,9 @@ def canvas(name: str, columns: int, rows: int) -> Canvas:
 
 
 @lru_cache(maxsize=8192)
-def _dotted(
-    bits: tuple[tuple[int, ...], ...], x: int, y: int, quarters: int, sparse: bool
-) -> Stamp:
-    """A circle around the dot (x, y) of a cell, its radius in quarters of a dot."""
-    radius = quarters / 4.0
-    reach = int(radius)
-    half = [(i, round(sqrt(radius * radius - i * i))) for i in range(-reach, reach + 1)]
+def _dotted(bits: tuple[tuple[int, ...], ...], x: int, y: int, radius: int, sparse: bool) -> Stamp:
+    """A circle around the dot (x, y) of a cell; whole radii give the smoothest ones."""
+    half = [(i, round(sqrt(radius * radius - i * i))) for i in range(-radius, radius + 1)]
     dots = {(i, s * j) for i, j in half for s in (-1, 1)}
     dots |= {(j, i) for i, j in dots}
     down, across = len(bits), len(bits[0])
@@ -278,7 +274,7 @@ def _dotted(
 
 @lru_cache(maxsize=8192)
 def _written(halves_x: int, halves_y: int, halves: int, sparse: bool) -> Stamp:
-    """A circle of characters around a place in a cell, its radius in columns; all in halves, so that it is symmetric."""
+    """A circle of characters around a place in a cell, its radius in columns: all in halves, to be symmetric."""
     x, y, radius = halves_x / 2.0, halves_y / 2.0, halves / 2.0
     steps = 64 * ceil(radius) + 64
     arcs: dict[tuple[int, int], list[tuple[float, float]]] = {}
@@ -301,7 +297,7 @@ def _written(halves_x: int, halves_y: int, halves: int, sparse: bool) -> Stamp:
 
 
 def _rim(right: float, under: float, height: float) -> str:
-    """The character of a circle at a place seen from its centre; `height` is how far down its cell it passes, 0 to 1."""
+    """The character of a circle at a place seen from its centre; `height`, 0 to 1, is how far down its cell that is."""
     if abs(under) > 2.0 * abs(right):
         return "'" if height < 0.3 else "-" if height < 0.7 else "_"
     if abs(right) > 2.4 * abs(under):

@@ -9,6 +9,7 @@ from typing import Final
 from attrs import evolve
 
 from fasteroids.history.marks import Kind, wanted
+from fasteroids.tui.debugging import run, statement, toggled
 from fasteroids.tui.keys import Command
 from fasteroids.tui.picture import View
 from fasteroids.tui.session import (
@@ -121,6 +122,11 @@ _DONE: Final[Mapping[Command, Callable[[Session], Session]]] = {
     Command.BOOKMARK: bookmarked,
     Command.PREVIOUS_BOOKMARK: partial(_to_bookmark, direction=-1),
     Command.NEXT_BOOKMARK: partial(_to_bookmark, direction=1),
+    Command.PROGRAM_BACK: partial(statement, direction=-1),
+    Command.PROGRAM_FORWARD: partial(statement, direction=1),
+    Command.BREAKPOINT: toggled,
+    Command.RUN_BACK: partial(run, direction=-1),
+    Command.RUN_FORWARD: partial(run, direction=1),
     Command.WHY: _why,
     Command.SELECT_PREVIOUS: partial(select_next, step=-1),
     Command.SELECT_NEXT: partial(select_next, step=1),

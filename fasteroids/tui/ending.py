@@ -11,11 +11,11 @@ from textual.app import ComposeResult
 from textual.widgets import Input
 
 from fasteroids.history import MAIN
-from fasteroids.tui import palette
 from fasteroids.tui.boxes import Box, Choices
 from fasteroids.tui.keys import Command, Keymap, spoken
 from fasteroids.tui.menu import Entry, lines, listed
 from fasteroids.tui.panels import Rows
+from fasteroids.tui.rows import Style
 from fasteroids.tui.scores import Score, Table, place_of
 from fasteroids.tui.session import Session
 
@@ -100,7 +100,7 @@ class End(Box[Ended]):
         shown = text[-max(left - 1, 1) :]
         widget = self.query_one("#told", Rows)
         widget.styles.width, widget.styles.height = columns, max(min(len(text) + 1, left), 1)
-        widget.show(lines("\n".join(shown), columns, palette.SELECTED))
+        widget.show(lines("\n".join(shown), columns, Style.TITLE))
         if self.score is not None:
             self.query_one("#name").styles.width = min(columns, 22)
         self.choices.styles.width, self.choices.styles.height = columns, len(self._entries)

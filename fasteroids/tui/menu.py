@@ -7,10 +7,9 @@ from typing import Final, Generic, TypeVar
 
 from attrs import evolve, frozen
 
-from fasteroids.tui import palette
-from fasteroids.tui.canvas import Row
+from fasteroids.tui.rows import Row, Style, row
 
-__all__ = ["Entry", "Menu", "heading", "hit", "lines", "listed", "moved", "pictured", "put"]
+__all__ = ["Entry", "Menu", "centred", "hit", "lines", "listed", "moved", "pictured", "put"]
 
 T = TypeVar("T")
 
@@ -75,50 +74,29 @@ def hit(menu: Menu[T], row: int) -> int | None:
 
 
 def pictured(menu: Menu[T], columns: int, height: int) -> tuple[Row, ...]:
-    """The rows of a menu: a sign and a colour mark the chosen entry, dots what is above and below."""
+    """The rows of a menu: a sign marks the chosen entry, and dots that there is more above or below."""
     labels = _labels(menu)
-    shown = menu.entries[menu.top : menu.top + height]
     rows = []
-    for number, entry in enumerate(shown, menu.top):
+    for number, entry in enumerate(menu.entries[menu.top : menu.top + height], menu.top):
+        last = number == menu.top + height - 1 and number < len(menu.entries) - 1
+        more = " ..." if last or (number == menu.top > 0) else ""
         chosen = number == menu.at
-        start = _MARK if chosen else " " * len(_MARK)
-        text = f"{start}{_plain(entry.label):<{labels + _GAP}}{_plain(entry.detail)}"
-        text = text[:columns].ljust(columns)
-        named = min(len(_MARK) + labels, columns)
-        colour = palette.player(0) if chosen else palette.ASTEROID
-        runs = ((0, named, colour), (named, columns, palette.SELECTED if chosen else palette.TRAIL))
-        rows.append(Row(text, tuple(run for run in runs if run[0] < run[1])))
-    if rows and menu.top > 0:
-        rows[0] = _dotted(rows[0])
-    if rows and menu.top + height < len(menu.entries):
-        rows[-1] = _dotted(rows[-1])
+        label = f"{_MARK if chosen else ' ' * len(_MARK)}{entry.label:<{labels + _GAP}}"
+        styles = (Style.WARNING, Style.TITLE) if chosen else (Style.VALUE, Style.DIM)
+        shown = row(columns - len(more), (label, styles[0]), (entry.detail, styles[1]))
+        rows.append(Row(shown.text + more, shown.runs))
     return tuple(rows)
-
-
-def _dotted(row: Row) -> Row:
-    """A row that says there is more beyond it."""
-    return Row(row.text[:-4] + " ..." if len(row.text) > 4 else row.text, row.runs)
 
 
 def _labels(menu: Menu[T]) -> int:
     return max((len(each.label) for each in menu.entries), default=0)
 
 
-def lines(text: str, columns: int, colour: int = palette.ASTEROID) -> tuple[Row, ...]:
+def lines(text: str, columns: int, style: Style = Style.VALUE) -> tuple[Row, ...]:
     """A text as rows, cut at a width: it may be a picture of columns, so it is not wrapped."""
-    return tuple(_row(line, columns, colour) for line in text.expandtabs(4).split("\n"))
+    return tuple(row(columns, (line, style)) for line in text.expandtabs(4).split("\n"))
 
 
-def heading(text: str, columns: int) -> Row:
-    """A heading, in the middle."""
-    return _row(text.center(columns), columns, palette.SELECTED)
-
-
-def _row(text: str, columns: int, colour: int) -> Row:
-    shown = _plain(text)[:columns].ljust(columns)
-    return Row(shown, ((0, columns, colour),) if columns > 0 else ())
-
-
-def _plain(text: str) -> str:
-    """A text without signs that a terminal would obey."""
-    return "".join(sign if sign.isprintable() else " " for sign in text)
+def centred(text: str, columns: int, style: Style) -> Row:
+    """A text in the middle."""
+    return row(columns, (text.center(columns), style))

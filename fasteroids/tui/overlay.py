@@ -15,7 +15,7 @@ from attrs import frozen
 
 from fasteroids.entities import Ship
 from fasteroids.events import Happened, unfold
-from fasteroids.moments import Moment, advanced, between, later
+from fasteroids.moments import Moment, advanced, between, checked_time, later
 from fasteroids.state import Flight, World, located
 from fasteroids.units import ModelError
 
@@ -79,9 +79,10 @@ def overlay(
     marks: list[Mark] = []
     met: set[int] = set()
     after, whole = world, False
-    until = advanced(world.clock, seconds)
-    future = unfold(copy(world), until, most)
+    checked_time(seconds, "how far to look ahead")
     try:
+        until = advanced(world.clock, seconds)
+        future = unfold(copy(world), until, most)
         while True:
             happened, after = next(future)
             _follow(ways, {*ships, *happened.entities, *happened.died}, after)
@@ -93,7 +94,7 @@ def overlay(
     except StopIteration as stop:
         after = stop.value
         whole = after.now >= until[:2]
-    except ModelError:  # a storm
+    except ModelError:  # a storm, or no time left
         pass
     end = between(world.now, after.now)
     lines = tuple(Line(i, way.ended(after.now)) for i, way in ways.items())

@@ -81,23 +81,16 @@ PLAYERS: Final = len(COLOURS) - _SHIPS
 Figure: TypeAlias = tuple[tuple[tuple[float, float], ...], ...]
 """Polylines in units of a ship's radius: (forward, left) of its centre, the nose at (1, 0)."""
 
-FIGURES: Final[tuple[Figure, ...]] = (
-    (((1.2, 0.0), (-0.9, 0.8), (-0.9, -0.8), (1.2, 0.0)),),  # a wedge
-    (
-        ((1.2, 0.0), (-1.0, 0.9), (-0.3, 0.0), (-1.0, -0.9), (1.2, 0.0)),
-    ),  # a dart, notched at the back
-    (
-        ((1.2, 0.0), (-1.0, 0.0)),
-        ((-0.1, 1.0), (-0.1, -1.0)),
-        ((-1.0, 0.5), (-1.0, -0.5)),
-    ),  # a plane
-    (((1.3, 0.0), (0.0, 0.7), (-1.0, 0.0), (0.0, -0.7), (1.3, 0.0)),),  # a kite
-    (((-0.9, 0.8), (1.2, 0.0), (-0.9, -0.8)), ((1.2, 0.0), (-0.9, 0.0))),  # an arrow
-    (
-        ((0.4, 0.7), (-0.9, 0.7), (-0.9, -0.7), (0.4, -0.7), (0.4, 0.7)),
-        ((0.4, 0.0), (1.4, 0.0)),
-    ),  # a tank
+_WEDGE: Final = (((1.2, 0.0), (-0.9, 0.8), (-0.9, -0.8), (1.2, 0.0)),)
+_DART: Final = (((1.2, 0.0), (-1.0, 0.9), (-0.3, 0.0), (-1.0, -0.9), (1.2, 0.0)),)
+_PLANE: Final = (((1.3, 0.0), (-1.0, 0.0)), ((-0.6, 1.0), (0.3, 0.0), (-0.6, -1.0)))
+_KITE: Final = (((1.3, 0.0), (-0.4, 0.8), (-1.0, 0.0), (-0.4, -0.8), (1.3, 0.0)),)
+_ARROW: Final = (((-0.9, 0.8), (1.2, 0.0), (-0.9, -0.8)), ((1.2, 0.0), (-0.9, 0.0)))
+_TANK: Final = (
+    ((0.4, 0.7), (-0.9, 0.7), (-0.9, -0.7), (0.4, -0.7), (0.4, 0.7)),
+    ((0.4, 0.0), (1.4, 0.0)),
 )
+FIGURES: Final[tuple[Figure, ...]] = (_WEDGE, _DART, _PLANE, _KITE, _ARROW, _TANK)
 """What tells ships apart without colours, by rank."""
 
 _LETTERS: Final = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"

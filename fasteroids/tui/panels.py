@@ -1,22 +1,49 @@
-"""Widgets that show rows of text made elsewhere: the lines around the arena, and the panes beside it."""
+"""Widgets that show rows of text made elsewhere: the lines around the arena, and the pane beside it."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Final
 
+from rich.segment import Segment
+from rich.style import Style as Look
+from textual import events
+from textual.message import Message
 from textual.strip import Strip
 from textual.widget import Widget
 
-from fasteroids.tui.arena import painted
-from fasteroids.tui.canvas import Row
+from fasteroids.history import Place
+from fasteroids.tui import palette
+from fasteroids.tui.rows import Row, Style
 
 __all__ = ["Rows"]
 
+_LOOKS: Final[Mapping[int, Look]] = {
+    Style.PLAIN: Look(color="#c8c8d0", bgcolor=palette.BACKGROUND),
+    Style.DIM: Look(color="#8a8a96", bgcolor=palette.BACKGROUND),
+    Style.TITLE: Look(color="#ffffff", bgcolor=palette.BACKGROUND, bold=True),
+    Style.VALUE: Look(color="#e0e0e8", bgcolor=palette.BACKGROUND),
+    Style.LINK: Look(color="#56b4e9", bgcolor=palette.BACKGROUND, underline=True),
+    Style.CURSOR: Look(color="#101014", bgcolor="#f0e442", bold=True),
+    Style.CHANGED: Look(color="#e69f00", bgcolor=palette.BACKGROUND, bold=True),
+    Style.GOOD: Look(color="#009e73", bgcolor=palette.BACKGROUND, bold=True),
+    Style.WARNING: Look(color="#f0e442", bgcolor=palette.BACKGROUND),
+    Style.BAD: Look(color="#d55e00", bgcolor=palette.BACKGROUND, bold=True),
+}
+_PLAIN: Final = _LOOKS[Style.PLAIN]
+
 
 class Rows(Widget):
-    """Shows rows, from the top; what is below them is blank."""
+    """Shows rows, from the top; what is below them is blank. A click posts where it leads, if it leads anywhere."""
 
-    DEFAULT_CSS = "Rows { width: 1fr; height: 1; }"
+    DEFAULT_CSS = f"Rows {{ width: 1fr; height: 1; background: {palette.BACKGROUND}; }}"
+
+    class Clicked(Message):
+        """Somebody clicked on a row: in this column, on this row, which leads to a place or nowhere."""
+
+        def __init__(self, rows: Rows, column: int, place: Place | None) -> None:
+            super().__init__()
+            self.rows, self.column, self.place = rows, column, place
 
     def __init__(self, *, id: str | None = None) -> None:
         super().__init__(id=id)
@@ -36,5 +63,25 @@ class Rows(Widget):
 
     def render_line(self, y: int) -> Strip:
         """The cells of a line of the widget."""
-        row = self._rows[y] if y < len(self._rows) else Row("", ())
-        return painted(row, self.size.width)
+        shown = self._rows[y] if y < len(self._rows) else Row("")
+        strip = Strip(list(_segments(shown)))
+        return strip.adjust_cell_length(self.size.width, _PLAIN)
+
+    def on_click(self, event: events.Click) -> None:
+        """A click."""
+        y = event.y
+        if 0 <= y < len(self._rows):
+            self.post_message(self.Clicked(self, event.x, self._rows[y].place))
+
+
+def _segments(shown: Row) -> list[Segment]:
+    """A row as text with styles."""
+    text, at, segments = shown.text, 0, []
+    for start, end, style in shown.runs:
+        if at < start:
+            segments.append(Segment(text[at:start], _PLAIN))
+        segments.append(Segment(text[start:end], _LOOKS[style]))
+        at = end
+    if at < len(text):
+        segments.append(Segment(text[at:], _PLAIN))
+    return segments

@@ -13,14 +13,34 @@ from attrs import evolve, frozen
 from fasteroids.entities import Bullet
 from fasteroids.history import Lived, Place, Timeline
 from fasteroids.moments import between
-from fasteroids.state import World, located
+from fasteroids.state import World, describe, located
 from fasteroids.tui import palette
+from fasteroids.tui.breakpoints import AtLine, When
 from fasteroids.tui.camera import DEATH_LASTS, ZOOMS, Death, Look
-from fasteroids.tui.canvas import SURFACES, Row
-from fasteroids.tui.overlay import Overlay, Point
+from fasteroids.tui.canvas import SURFACES
+from fasteroids.tui.chronicle import Chronicle
+from fasteroids.tui.debugging import flown, here
+from fasteroids.tui.inspector import entity_rows
+from fasteroids.tui.overlay import Line, Mark, Overlay, Point
+from fasteroids.tui.program_pane import machine_of, program_rows
+from fasteroids.tui.rows import Row, Style, filled, paragraph, row
 from fasteroids.tui.session import Session, ghost
+from fasteroids.tui.strip import Strip, strip, whole
+from fasteroids.tui.verdicts import death_rows
 
-__all__ = ["LEAST", "PANELS_FROM", "View", "clipped", "look_of", "status", "too_small", "zoomed"]
+__all__ = [
+    "LEAST",
+    "PANELS_FROM",
+    "View",
+    "fate_of",
+    "film",
+    "look_of",
+    "pane",
+    "status",
+    "told",
+    "too_small",
+    "zoomed",
+]
 
 LEAST: Final = (40, 12)
 """Columns and rows below which nothing but a line is shown."""
@@ -62,7 +82,7 @@ def look_of(session: Session, view: View, overlay: Overlay | None = None) -> Loo
         players=_players(session),
         trails=_trails(world),
         deaths=_deaths(session.timeline, session.place),
-        overlay=overlay,
+        overlay=fate_of(session) or overlay,
         ghosts=ghost(session) if view.ghosts else None,
         zoom=view.zoom,
     )
@@ -113,7 +133,18 @@ def _recent(timeline: Timeline, place: Place) -> list[Lived]:
     return found
 
 
-# The lines around the arena.
+def fate_of(session: Session) -> Overlay | None:
+    """The ways that led to the death that was asked about."""
+    if session.fate is None:
+        return None
+    told = session.fate
+    lines = tuple(Line(way.id, way.points) for way in told.paths)
+    seconds = between(session.place.moment, told.death.place.moment)
+    ids = tuple(way.id for way in told.paths)
+    return Overlay(lines, (Mark(seconds, told.paths[0].points[-1], ids, None, True),), seconds)
+
+
+# The lines around the arena, and the pane beside it.
 
 
 def status(session: Session, width: int, *, ascii: bool, note: str = "") -> Row:
@@ -132,7 +163,8 @@ def status(session: Session, width: int, *, ascii: bool, note: str = "") -> Row:
         parts.append(game.ended.upper())
     left = "   ".join(parts)
     right = "  ".join(filter(None, (note, _pace(session), f"{session.place.time:.2f} s")))
-    return Row(_justified(left, right, width), ((0, width, palette.WALL),))
+    room = max(width - len(right) - 1, 0)
+    return row(width, (f"{left[:room]:<{room}} ", Style.TITLE), (right, Style.DIM))
 
 
 def _pace(session: Session) -> str:
@@ -146,15 +178,58 @@ def _pace(session: Session) -> str:
     return "  ".join(filter(None, (line, word, speed)))
 
 
-def _justified(left: str, right: str, width: int) -> str:
-    """Two texts at the ends of a row; the left one is cut if there is no room for both."""
-    room = max(width - len(right) - 1, 0)
-    return f"{left[:room]:<{room}} {right}"[:width].ljust(width)
+def film(session: Session, chronicle: Chronicle, width: int, *, ascii: bool) -> Strip:
+    """The filmstrip of the whole past, with the cursor where one looks."""
+    return strip(
+        chronicle,
+        session.timeline,
+        whole(session.timeline),
+        session.place.time,
+        width,
+        selected=session.selected,
+        unicode=not ascii,
+    )
 
 
-def clipped(text: str, width: int) -> Row:
-    """A line of text in a row."""
-    return Row(text[:width].ljust(width), ((0, width, palette.TRAIL),) if width else ())
+def pane(session: Session, chronicle: Chronicle, width: int, height: int) -> tuple[Row, ...]:
+    """The pane beside the arena: how somebody died, the selected entity, the program of a ship."""
+    if session.fate is not None:
+        return filled(death_rows(session.fate, width), width, height)
+    world, place = session.world, session.place
+    ship = flown(session)
+    program: tuple[Row, ...] = ()
+    if ship is not None and (not session.running or session.selected == ship):
+        room = height if session.selected in (None, ship) and session.point else height // 2
+        program = program_rows(
+            (None if session.running else here(session)) or machine_of(world, ship),
+            width,
+            room,
+            name=describe(world[ship]),
+            lines=[each.line for each in session.breakpoints if isinstance(each, AtLine)],
+            conditions=[
+                each.condition.text for each in session.breakpoints if isinstance(each, When)
+            ],
+        )
+    if session.selected is None:
+        return filled(program or tuple(_hint(width)), width, height)
+    left = height - len(program)
+    if left < _LEAST_PANE:
+        return filled(program, width, height)
+    return (*entity_rows(chronicle, world, place, session.selected, width, left), *program)
+
+
+_LEAST_PANE: Final = 6  # rows
+
+
+def _hint(width: int) -> list[Row]:
+    return list(
+        paragraph(width, "Nothing is selected, and no ship here runs a program.", Style.DIM)
+    )
+
+
+def told(text: str, width: int) -> Row:
+    """The line below the filmstrip."""
+    return row(width, (text, Style.VALUE))
 
 
 def too_small(columns: int, rows: int) -> str | None:

@@ -17,6 +17,8 @@ from fasteroids.entities import Ship
 from fasteroids.events import Happened
 from fasteroids.tui.arena import Arena
 from fasteroids.tui.camera import Frame, frame
+from fasteroids.tui.canvas import Row
+from fasteroids.tui.chronicle import chronicle_of
 from fasteroids.tui.commanding import commanded, viewed
 from fasteroids.tui.controls import Hands, acted, let_go, pressed, released, reported, synced
 from fasteroids.tui.keeping import Keeper
@@ -24,9 +26,19 @@ from fasteroids.tui.keyboard import KeyAgain, KeyboardReport, KeyUp
 from fasteroids.tui.keys import FLIGHT, Command, Keymap
 from fasteroids.tui.overlay import Overlay, overlay
 from fasteroids.tui.panels import Rows
-from fasteroids.tui.picture import PANELS_FROM, View, clipped, look_of, status, too_small
-from fasteroids.tui.session import Session, beat
+from fasteroids.tui.picture import (
+    PANELS_FROM,
+    View,
+    film,
+    look_of,
+    pane,
+    status,
+    told,
+    too_small,
+)
+from fasteroids.tui.session import Session, beat, look, look_at
 from fasteroids.tui.sound import Sound, effect_of
+from fasteroids.tui.strip import Strip
 
 __all__ = ["Play"]
 
@@ -35,6 +47,9 @@ LINGER: Final = 1.0
 
 WINDOW: Final = (100, 32)
 """Columns and rows of a game in a window."""
+
+_SELDOM: Final = 6
+"""Frames of a running game between two looks of the panes."""
 
 _FORESEEN: Final = 0.2
 """Seconds of wall time for which a prediction is drawn before it is made anew."""
@@ -48,7 +63,8 @@ class Play(Screen[None], inherit_bindings=False):
     Play { layout: vertical; }
     Play #middle { height: 1fr; }
     Play #status, Play #strip, Play #said { height: 1; }
-    Play #side { width: 38; display: none; }
+    Play #side { width: 40; display: none; }
+    Play #pane { height: 1fr; }
     Play.wide #side { display: block; }
     Play.window { align: center middle; background: #1c2230; }
     Play.window #status, Play.window #middle, Play.window #strip, Play.window #said { max-width: 100; }
@@ -81,6 +97,8 @@ class Play(Screen[None], inherit_bindings=False):
         self._timer: Timer | None = None
         self._overlay: Overlay | None = None
         self._foreseen = -1.0
+        self._chronicle = chronicle_of(session.timeline)
+        self._film: Strip | None = None
 
     def compose(self) -> ComposeResult:
         """A line above, the arena and the panes, two lines below."""
@@ -242,22 +260,40 @@ class Play(Screen[None], inherit_bindings=False):
         arena = self.query_one(Arena)
         self.frames += 1
         if small is not None:
-            arena.show(Frame(columns, (clipped(small, columns),)))
+            arena.show(Frame(columns, (Row(small[:columns].ljust(columns), ()),)))
             for name in ("#status", "#strip", "#said"):
                 self.query_one(name, Rows).show(())
             return
         width, height = arena.content_size
-        arena.show(
-            frame(
-                self.session.world, look_of(self.session, self.view, self._ahead()), width, height
-            )
-        )
+        look = look_of(self.session, self.view, self._ahead())
+        arena.show(frame(self.session.world, look, width, height))
         ascii = self.view.arena == "ascii"
-        note = "keys: held" if self.hands.mode == "held" else "keys: steps"
+        note = f"keys: {self.hands.mode}"
         self.query_one("#status", Rows).show(
             [status(self.session, columns, ascii=ascii, note=note)]
         )
-        self.query_one("#said", Rows).show([clipped(self.session.said, columns)])
+        self.query_one("#said", Rows).show([told(self.session.said, columns)])
+        if self.frames % _SELDOM == 0 or not (self.session.live and self.session.running):
+            self._panes(columns, ascii=ascii)
+
+    def _panes(self, columns: int, *, ascii: bool) -> None:
+        """The filmstrip and the pane: while a game is played a few times a second is enough."""
+        self._chronicle = self._chronicle.followed(self.session.timeline)
+        self._film = film(self.session, self._chronicle, columns, ascii=ascii)
+        self.query_one("#strip", Rows).show(self._film.rows)
+        side = self.query_one("#pane", Rows)
+        if self.has_class("wide"):
+            width, height = side.content_size
+            side.show(pane(self.session, self._chronicle, width, height))
+
+    def on_rows_clicked(self, event: Rows.Clicked) -> None:
+        """A click on the filmstrip, or on a line of the pane that leads somewhere."""
+        if event.place is not None:
+            self.become(look(self.session, event.place))
+        elif event.rows.id == "strip" and self._film is not None:
+            place = self._film.place_at(event.column)
+            time = self._film.time_at(event.column)
+            self.become(look(self.session, place) if place else look_at(self.session, time))
 
     def _ahead(self) -> Overlay | None:
         """What is to come, made anew now and then."""

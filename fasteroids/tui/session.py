@@ -25,16 +25,18 @@ from fasteroids.history import (
     MAIN,
     Lived,
     Place,
+    Point,
     Timeline,
     begin,
     next_state,
     previous_state,
-    why,
 )
 from fasteroids.history.marks import Kind
 from fasteroids.moments import advanced, clock_at
 from fasteroids.state import World
+from fasteroids.tui.breakpoints import Breakpoint
 from fasteroids.tui.game import Game, granted, judged, ruled, wishes
+from fasteroids.tui.verdicts import DeathTold, death_of
 from fasteroids.units import ModelError
 
 __all__ = [
@@ -49,7 +51,9 @@ __all__ = [
     "game_at",
     "ghost",
     "jump",
+    "lived_on",
     "look",
+    "look_at",
     "opened",
     "paused",
     "played",
@@ -90,6 +94,11 @@ class Session:
     selected: int | None = None
     said: str = ""
     """One line for the player."""
+    point: Point | None = None
+    """Where the debugger stood last."""
+    breakpoints: tuple[Breakpoint, ...] = ()
+    fate: DeathTold | None = None
+    """The death that was asked about, while one looks at how it came."""
 
     @property
     def live(self) -> bool:
@@ -144,7 +153,7 @@ def beat(session: Session, elapsed: float, actions: Sequence[tuple[int, Action]]
     if not session.running:
         return session
     if session.live:
-        return _lived_on(_acted(session, actions), span)
+        return lived_on(_acted(session, actions), span)
     return _moved(session, span * session.running)
 
 
@@ -155,7 +164,7 @@ def _acted(session: Session, actions: Sequence[tuple[int, Action]]) -> Session:
     return session
 
 
-def _lived_on(session: Session, span: float) -> Session:
+def lived_on(session: Session, span: float) -> Session:
     """The live game some seconds later, with what it wants of the world at the very times it wants it."""
     clock = advanced(session.timeline.world.clock, span)
     end = Place(*clock[:2]).time
@@ -217,7 +226,19 @@ def look(session: Session, place: Place) -> Session:
     """One looks at a place of the past, and time stands still. `said` names where, if it is an end."""
     last = session.timeline.last.place
     place = min(max(place, session.timeline.first.place), last)
-    return evolve(session, at=place, running=0, said="the end" if place == last else "")
+    fate = session.fate
+    if fate is not None and not fate.inevitable <= place <= fate.death.place:
+        fate = None
+    said = "the end" if place == last else ""
+    return evolve(session, at=place, running=0, said=said, fate=fate)
+
+
+def look_at(session: Session, time: float) -> Session:
+    """One looks at a time (s) of the past, after all that happened then, or at the nearest end."""
+    first, last = session.timeline.first, session.timeline.last
+    if not first.world.time < time < last.world.time:
+        return look(session, (last if time >= last.world.time else first).place)
+    return look(session, _after_all(session, time))
 
 
 def paused(session: Session) -> Session:
@@ -239,7 +260,7 @@ def resumed(session: Session, direction: int = 1) -> Session:
 
 def played(session: Session) -> Session:
     """Back to the end of the line, where the game goes on when it is resumed."""
-    return evolve(session, at=None, running=0, said="now")
+    return evolve(session, at=None, running=0, said="now", fate=None)
 
 
 def faster(session: Session, step: int) -> Session:
@@ -253,12 +274,7 @@ def scrub(session: Session, unit: Unit, direction: int) -> Session:
     """One looks one frame, event, tick or second further on or back."""
     if unit in ("frame", "second"):
         span = FRAME if unit == "frame" else 1.0
-        time = session.place.time + span * direction
-        first, last = session.timeline.first.world.time, session.timeline.world.time
-        if not first < time < last:
-            end = session.timeline.last if time >= last else session.timeline.first
-            return look(session, end.place)
-        return look(session, _after_all(session, time))
+        return look_at(session, session.place.time + span * direction)
     entity = session.selected if unit == "tick" and _flies(session) else None
     return jump(session, "tick" if unit == "tick" else "event", direction, entity=entity)
 
@@ -313,6 +329,7 @@ def take_over(session: Session) -> Session:
         games=session.games.set(timeline.name, games or session.games[name][:1]),
         at=None,
         running=1,
+        fate=None,
         said=f"line {timeline.name}, from {place.time:.2f} s",
     )
 
@@ -337,10 +354,10 @@ def bookmarked(session: Session, name: str | None = None) -> Session:
 
 
 def doomed(session: Session, ship: int) -> Session:
-    """One looks at the moment a ship's fatal contact became inevitable, and the ship is selected."""
+    """One looks at the moment a ship's fatal contact became inevitable, with the ways of both that touched."""
     try:
-        death = why(session.timeline, ship)
+        fate = death_of(session.timeline, ship)
     except ModelError as error:
         return evolve(session, said=str(error))
-    session = look(session, death.inevitable)
-    return evolve(session, selected=ship, said=str(death).splitlines()[0])
+    session = look(session, fate.inevitable)
+    return evolve(session, selected=ship, fate=fate, said=str(fate.death).splitlines()[0])

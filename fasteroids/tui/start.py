@@ -12,7 +12,6 @@ from textual.binding import BindingType
 from textual.message import Message
 from textual.screen import Screen
 
-from fasteroids.tui import palette
 from fasteroids.tui.boxes import Ask, Choices, Choose
 from fasteroids.tui.keyboard import KeyAgain
 from fasteroids.tui.keys import Command, Keymap
@@ -20,6 +19,7 @@ from fasteroids.tui.launching import FILE, Library, NewGame, Recorded, SceneGame
 from fasteroids.tui.menu import Entry, lines, listed
 from fasteroids.tui.panels import Rows
 from fasteroids.tui.recent import Brief
+from fasteroids.tui.rows import Style
 
 __all__ = ["TITLE", "Pick", "Start"]
 
@@ -115,10 +115,10 @@ class Start(Screen[None], inherit_bindings=False):
         full = columns >= 60 and rows >= 20
         title = (*TITLE.split("\n"), "", "") if full else (_SHORT, "")
         notes = ("", *self._notes) if rows >= len(title) + len(_ENTRIES) + 1 + len(self._notes) else ()  # fmt: skip
-        foot = lines("\n".join(notes), columns, palette.TRAIL) if notes else ()
+        foot = lines("\n".join(notes), columns, Style.DIM) if notes else ()
         width = min(listed(_ENTRIES).width, columns)
         for name, made, wide in (
-            ("#title", lines("\n".join(title), columns, palette.player(0)), max(map(len, title))),
+            ("#title", lines("\n".join(title), columns, Style.WARNING), max(map(len, title))),
             ("#notes", foot, max(map(len, notes), default=1)),
         ):
             widget = self.query_one(name, Rows)

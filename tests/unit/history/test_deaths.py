@@ -156,3 +156,22 @@ def test_who_did_not_die_has_no_death() -> None:
     skipped = timeline.add(rock(100.0, 100.0, id=9))
     with pytest.raises(ModelError, match="there was no entity #5 in this past"):
         why(skipped, 5)
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        (
+            "entity e; turn 1; turn getx e;",
+            "  the program of ship #1 had stopped at 0.4 s: line 1: getx null: e is null",
+        ),
+        ("skip; turn 1;", "  the program of ship #1 had stopped at 0.4 s: it came to its end"),
+    ],
+)
+def test_a_program_that_had_stopped_is_told(text: str, told: str) -> None:
+    pilot = ship(900.0, 500.0, program=machine(text))
+    death = why(begin(world_of(pilot, rock(200.0, 500.0, 100.0))).evolve(10.0), 1)
+    assert [state.place.time for state in death.stops] == [0.4]
+    assert str(death).splitlines()[-1] == told
+    running = ship(900.0, 500.0, program=machine("while (true) { skip; }"))
+    assert why(begin(world_of(running, rock(200.0, 500.0, 100.0))).evolve(10.0), 1).stops == ()

@@ -141,6 +141,13 @@ def test_what_is_no_time_is_refused(past: Timeline, at: float) -> None:
         previous_state(past, at)
 
 
+def test_what_is_no_kind_or_no_id_is_refused(past: Timeline) -> None:
+    with pytest.raises(ModelError, match="a kind is one of event, contact"):
+        next_state(past, 0.0, "deaths")  # type: ignore[arg-type]
+    with pytest.raises(ModelError, match="by its id"):
+        previous_state(past, 9.0, "death", "red")  # type: ignore[arg-type]
+
+
 def test_all_that_happened_to_a_ship_and_what_it_did(past: Timeline) -> None:
     whats = [s.what for s in events_of(past, 1)]
     happened = [w for w in whats if isinstance(w, Happened)]
@@ -304,6 +311,18 @@ def test_cuts_of_the_caller_change_no_answer() -> None:
 
     assert first_time(whole, near) == first_time(sliced, near)
     assert first_time(whole, near, after=2.5) == first_time(sliced, near, after=2.5)
+
+
+def test_a_stretch_under_literal_thrust_starts_before_what_happens_at_its_start() -> None:
+    world = world_of(ship(100.0, 500.0, 1.0, thruster=True), rock(500.0, 100.0, 0.0, -40.0))
+    timeline = begin(world).evolve(4.0)
+    wall = next_state(timeline, 0.0, "wall")
+    assert wall is not None
+    assert wall.place == Place(0, 2.0, 1)
+    assert first_time(timeline, lambda w: w[2].vy > 0.0, after=2.0) == wall
+    assert (
+        first_time(timeline, lambda w: w[2].vy < 0.0, after=2.0, before=Place(0, 2.0)) is not None
+    )
 
 
 def test_a_look_under_literal_thrust_is_a_cut_as_in_at() -> None:

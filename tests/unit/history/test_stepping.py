@@ -183,7 +183,7 @@ def test_the_steps_of_every_shipped_program_lead_to_what_was_lived(
         model=model,
     )
     timeline = begin(world, budget=budget)
-    for _ in range(12):
+    for _ in range(6):
         timeline = timeline.evolve(0.37)
     ticks = [tick_at(timeline, 1, state.place) for state in ticks_of(timeline, 1)]
     assert ticks

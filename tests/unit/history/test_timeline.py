@@ -23,6 +23,7 @@ from fasteroids import (
     parse_program,
 )
 from fasteroids.history import MAIN, Act, Cut, Place, Timeline, Told, begin
+from tests.unit.history.pasts import arena
 
 SCENE = """
 [world]
@@ -347,3 +348,10 @@ def test_copies_and_pickles_have_the_same_past(copied: object) -> None:
 def test_an_act_is_taken_as_one_of_the_inputs() -> None:
     timeline = begin(game())
     assert timeline.take(Act(2, Fire())).world == timeline.act(2, Fire()).world
+
+
+def test_to_take_a_cut_is_time_going_on_with_all_that_happens() -> None:
+    timeline, clock = begin(arena()), (0, 5.0, 0.0)
+    cut, lived = timeline.take(Cut(clock)), timeline.evolve_until(5.0)
+    assert list(cut.forwards(cut.first.place)) == list(lived.forwards(lived.first.place))
+    assert cut.at(2.0) == lived.at(2.0)

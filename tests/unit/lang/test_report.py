@@ -196,3 +196,8 @@ def test_any_place_in_any_text_can_be_shown(
 def test_legible_text_is_printable_and_plain_text_is_left_alone(text: str) -> None:
     assert legible(text).isprintable()
     assert legible(legible(text)) == legible(text)
+
+
+def test_what_has_no_width_is_an_escape_also_among_characters_that_print() -> None:
+    assert legible("e\u0301") == "e\\u0301"
+    assert legible("\u00e9") == "\u00e9"
