@@ -160,16 +160,18 @@ class Box(ModalScreen[R], inherit_bindings=False):
         foot.show([centred(text, foot.size.width, Style.DIM)])
 
     def on_key(self, event: events.Key) -> None:
-        """Esc leaves; other keys are for what is inside."""
-        event.stop()
-        event.prevent_default()
-        if not (isinstance(event, KeyAgain) and event.key in ("enter", "escape")):
-            self.key(event)
+        """A key that means nothing here goes on to whoever has the cursor."""
+        again = isinstance(event, KeyAgain) and event.key in ("enter", "escape")
+        if again or self.key(event):
+            event.stop()
+            event.prevent_default()
 
-    def key(self, event: events.Key) -> None:
-        """A key went down. Esc leaves."""
-        if event.key == "escape":
-            self.dismiss(None)
+    def key(self, event: events.Key) -> bool:
+        """Do what a key asks, if it asks anything; Esc leaves."""
+        if event.key != "escape":
+            return False
+        self.dismiss(None)
+        return True
 
 
 class Choose(Box[T]):
@@ -209,19 +211,15 @@ class Choose(Box[T]):
             rows = max(rows - 1, 1)
         self.choices.styles.width, self.choices.styles.height = columns, rows
 
-    def key(self, event: events.Key) -> None:
+    def key(self, event: events.Key) -> bool:
         """Move, or choose."""
         if event.key == "enter":
             self.chosen()
-        elif not self.choices.key(event.key):
-            super().key(event)
+            return True
+        return self.choices.key(event.key) or super().key(event)
 
     def on_choices_chosen(self) -> None:
         """A click chooses."""
-        self.chosen()
-
-    def on_input_submitted(self) -> None:
-        """Enter in the line to search with."""
         self.chosen()
 
     def chosen(self) -> None:
@@ -293,12 +291,12 @@ class Tell(Box[None]):
         text.styles.width, text.styles.height = columns, rows
         text.picture()
 
-    def key(self, event: events.Key) -> None:
+    def key(self, event: events.Key) -> bool:
         """Scroll; Enter leaves too."""
         if event.key == "enter":
             self.dismiss(None)
-        elif not self.query_one("#text", Text).key(event.key):
-            super().key(event)
+            return True
+        return self.query_one("#text", Text).key(event.key) or super().key(event)
 
 
 class Text(Rows):

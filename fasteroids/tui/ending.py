@@ -105,17 +105,22 @@ class End(Box[Ended]):
             self.query_one("#name").styles.width = min(columns, 22)
         self.choices.styles.width, self.choices.styles.height = columns, len(self._entries)
 
-    def key(self, event: events.Key) -> None:
-        """Move, choose, or ask why."""
+    def key(self, event: events.Key) -> bool:
+        """Move, choose, or ask why. While a name is written, Enter and letters are for that."""
         writing = isinstance(self.focused, Input)
-        if self.choices.key(event.key):
-            return
         if event.key == "escape":
             self._leave("look")
+        elif self.choices.key(event.key):
+            return True
+        elif writing:
+            return False
         elif event.key == "enter":
             self.chosen()
-        elif not writing and self._keymap.command(event.key) is Command.WHY:
+        elif self._keymap.command(event.key) is Command.WHY:
             self._leave("why")
+        else:
+            return False
+        return True
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """The name is given: then the keys are for the choices."""

@@ -14,6 +14,9 @@ __all__ = ["Entry", "Menu", "centred", "hit", "lines", "listed", "moved", "pictu
 T = TypeVar("T")
 
 _MARK: Final = "> "
+_LEAST: Final = 12
+"""Columns below which there are no dots."""
+
 _GAP: Final = 3
 """Blanks between a label and what is said of it."""
 
@@ -79,7 +82,7 @@ def pictured(menu: Menu[T], columns: int, height: int) -> tuple[Row, ...]:
     rows = []
     for number, entry in enumerate(menu.entries[menu.top : menu.top + height], menu.top):
         last = number == menu.top + height - 1 and number < len(menu.entries) - 1
-        more = " ..." if last or (number == menu.top > 0) else ""
+        more = " ..." if (last or number == menu.top > 0) and columns > _LEAST else ""
         chosen = number == menu.at
         label = f"{_MARK if chosen else ' ' * len(_MARK)}{entry.label:<{labels + _GAP}}"
         styles = (Style.WARNING, Style.TITLE) if chosen else (Style.VALUE, Style.DIM)

@@ -43,12 +43,12 @@ class Help(Tell):
         self._keymap = keymap
         super().__init__("Keys", _help(keymap, note), foot="Up and Down scroll, Esc goes back")
 
-    def key(self, event: events.Key) -> None:
+    def key(self, event: events.Key) -> bool:
         """The key that opened it closes it too."""
         if self._keymap.command(event.key) is Command.HELP:
             self.dismiss(None)
-        else:
-            super().key(event)
+            return True
+        return super().key(event)
 
 
 def _help(keymap: Keymap, note: str) -> str:
@@ -92,17 +92,17 @@ class Keys(Choose[Command | None]):
         self._pressed: str | None = None
         super().__init__("Change keys", _commands(keymap), foot=self._FOOT)
 
-    def key(self, event: events.Key) -> None:
+    def key(self, event: events.Key) -> bool:
         """A key for the command that waits for one, or for the list."""
+        entry = self.choices.menu.chosen
         if self._waiting is not None:
             if not isinstance(event, KeyAgain):
                 self._given(self._waiting, event.key)
-            return
-        entry = self.choices.menu.chosen
-        if event.key in ("delete", "backspace") and entry is not None and entry.value is not None:
+        elif event.key in ("delete", "backspace") and entry is not None and entry.value is not None:
             self._become(cleared(self.keymap, entry.value), f"{entry.value.says}: as before")
         else:
-            super().key(event)
+            return super().key(event)
+        return True
 
     def chosen(self) -> None:
         """Wait for a key of the command; the first line changes the preset."""
