@@ -127,7 +127,7 @@ class Play(Screen[None], inherit_bindings=False):
     def _beat(self) -> None:
         now = perf_counter()
         elapsed, self._last = now - self._last, now
-        if self.app.screen is self:
+        if self.is_active:
             self.go_on(elapsed)
 
     def go_on(self, elapsed: float) -> None:
