@@ -306,8 +306,8 @@ def starting(world: World, entity: Entity) -> Flight:
     return flight(now, entity, 0, tick_after(now) if running else None, path(world, entity))
 
 
-def instructed(world: World, ship_id: int, program: Program) -> World:
-    """The world in which a ship runs another program from its next tick on. Its flight stays the same.
+def instructed(world: World, ship_id: int, program: Program | None) -> World:
+    """The world in which a ship runs another program, or none, from its next tick on. Its flight stays the same.
 
     `ModelError` if there is no such entity, it is no ship, or the program is none a ship takes.
     """
@@ -315,7 +315,7 @@ def instructed(world: World, ship_id: int, program: Program) -> World:
     if not isinstance(f.entity, Ship):
         raise ModelError(f"a program is for a ship; {describe(f.entity)} is none")
     told = evolve(f.entity, program=program)
-    tick = tick_after(world.now) if program.running else None
+    tick = tick_after(world.now) if program is not None and program.running else None
     f = flight(f.since, told, f.bounced_off, tick, f.path)
     return replaced(world, world.clock, [(world.slot_of(ship_id), f)], (), ())
 

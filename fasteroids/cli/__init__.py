@@ -17,6 +17,10 @@ from fasteroids.cli._guard import guarded
 __all__ = ["main"]
 
 COMMANDS: Final = {
+    "play": "Play on the terminal.",
+    "watch": "Look on while the programs of a scene play.",
+    "replay": "List the last games, or look at one again.",
+    "serve": "Play in a browser.",
     "run": "Evolve a scene and tell what happens.",
     "record": "Run a scene into a recording.",
     "verify": "Live recordings again, and compare.",

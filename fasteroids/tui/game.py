@@ -62,6 +62,8 @@ class Player:
     points: int = 0
     died: float | None = None
     """When its last ship died, s."""
+    program: Program | None = None
+    """What flies its ships, None for a human."""
 
 
 @frozen
@@ -87,10 +89,10 @@ class Wish:
 
 
 def new_game(
-    mode: Mode, *, seed: int, names: Sequence[str], programs: Sequence[Program | None]
-) -> tuple[Game, World]:
+    mode: Mode, *, seed: int, names: Sequence[str], programs: Sequence[Program | None], model: str = "smooth"
+) -> tuple[Game, World]:  # fmt: skip
     """A game that no scene describes, and its first world. One name and one program a player; no program: a human."""
-    world = World(WIDTH, HEIGHT, seed, "smooth")
+    world = World(WIDTH, HEIGHT, seed, model)
     if mode == "waves":
         places = [(WIDTH / 2.0, HEIGHT / 2.0, pi / 2.0)]
     else:
@@ -98,9 +100,8 @@ def new_game(
     players = []
     for name, program, (x, y, direction) in zip(names, programs, places, strict=True):
         ship = Ship(x, y, 0.0, 0.0, RADIUS, MASS, direction, program=program, name=name)
-        players.append(
-            Player(name, world.roster.next_id, program is None, LIVES if mode == "waves" else 1)
-        )
+        lives = LIVES if mode == "waves" else 1
+        players.append(Player(name, world.roster.next_id, program is None, lives, program=program))
         world = world.add(ship)
     if mode == "duel":
         world = world.add_all(wave(world, 1))
@@ -246,7 +247,7 @@ def _next_ship(player: Player, world: World) -> Ship | None:
     best = max([middle, *spots], key=lambda spot: min(_room(spot, others), 6.0 * RADIUS))
     if _room(best, others) < 2.0 * RADIUS:
         return None
-    return Ship(*best, 0.0, 0.0, RADIUS, MASS, pi / 2.0, name=player.name)
+    return Ship(*best, 0.0, 0.0, RADIUS, MASS, pi / 2.0, program=player.program, name=player.name)
 
 
 def _room(spot: tuple[float, float], others: Sequence[Entity]) -> float:

@@ -6,8 +6,8 @@ Textual 8 asks for all but the types, and its parser takes none. Here the type i
 what it finds is passed on as a key, a `KeyAgain` or a `KeyUp`.
 
 Private names of Textual that are used: `XTermParser._sequence_to_key_events`, the arguments of `XTermParser`, and of
-`LinuxDriver` the attributes `fileno`, `exit_event`, `_app`, `_loop`, `_debug` and `_writer_thread`. `check` tries the
-parser, for `chosen_driver`.
+`LinuxDriver` the attributes `fileno`, `exit_event`, `_app`, `_file` and `_debug`. `check` tries those that are not only
+handed on, for `chosen_driver`.
 """
 
 from __future__ import annotations
@@ -15,12 +15,11 @@ from __future__ import annotations
 import atexit
 import os
 import re
-import sys
 from codecs import getincrementaldecoder
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from selectors import EVENT_READ, DefaultSelector
-from typing import Final
+from typing import Any, Final, TextIO
 
 from textual import events
 from textual._xterm_parser import XTermParser
@@ -43,6 +42,9 @@ _REPORT: Final = re.compile(r"\x1b\[\?(\d{1,4})u")
 _DOWN, _AGAIN, _UP = "1", "2", "3"
 
 _MOST_DOWN: Final = 32  # keys remembered as down; more than fingers
+
+HUNG_UP: Final = 129
+"""The exit code of what its terminal ends: 128 and the number of SIGHUP."""
 
 ASK: Final = "\x1b[=2;2u\x1b[?u"
 """Adds event types to what Textual asked for, and asks what is on. Textual's own end takes both back."""
@@ -98,12 +100,43 @@ class KittyParser(XTermParser):
             yield KeyAgain(key.key, key.character) if kind == _AGAIN else key
 
 
+class Lasting:
+    """A stream for text that takes whatever is written to it, also when the terminal behind it is gone.
+
+    Textual's thread that writes would end with the error, and the app then wait for it for ever.
+    """
+
+    def __init__(self, stream: TextIO) -> None:
+        self._stream = stream
+
+    def write(self, text: str) -> int:
+        """Write, if there is still somewhere to write to."""
+        with suppress(OSError, ValueError):
+            return self._stream.write(text)
+        return len(text)
+
+    def flush(self) -> None:
+        """Hand over what was written, if there is still somewhere."""
+        with suppress(OSError, ValueError):
+            self._stream.flush()
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._stream, name)
+
+
 class KittyDriver(LinuxDriver):
     """Textual's driver for terminals, which asks for the types of events too.
+
+    The end of the terminal is the end of the app, with the exit code of a hang-up.
 
     The question only adds to what Textual puts on the stack of the terminal, so all ends that restore Textual's part
     restore this one. At an exit of Python that Textual does not see, the terminal is restored nevertheless.
     """
+
+    def __init__(self, *args: Any, **settings: Any) -> None:
+        super().__init__(*args, **settings)
+        if self._file is not None:
+            self._file = Lasting(self._file)  # type: ignore[assignment]  # all that is used of one
 
     def start_application_mode(self) -> None:
         """Textual's start, then the question."""
@@ -120,15 +153,11 @@ class KittyDriver(LinuxDriver):
         atexit.unregister(self._restore)
 
     def _restore(self) -> None:
-        if sys.__stderr__ is not None:
-            with suppress(OSError, ValueError):
-                os.write(sys.__stderr__.fileno(), RESTORED.encode())
+        with suppress(OSError, ValueError):
+            os.write(self.fileno, RESTORED.encode())
 
     def run_input_thread(self) -> None:
-        """Read what the terminal sends until the end. Bytes that are no UTF-8 become the sign for that.
-
-        When nothing more can ever come, as the terminal is gone, the app is told to exit.
-        """
+        """Read what the terminal sends until the end. Bytes that are no UTF-8 become the sign for that."""
         parser = KittyParser(self._debug)
         decode = getincrementaldecoder("utf-8")("replace").decode
         with DefaultSelector() as selector:
@@ -140,8 +169,8 @@ class KittyDriver(LinuxDriver):
                     except OSError:  # the terminal is gone
                         data = b""
                     if not data:
-                        self._loop.call_soon_threadsafe(self._app.exit)
-                        return
+                        self._app.call_later(self._app.exit, HUNG_UP)
+                        break
                     self._pass_on(parser.feed(text) if (text := decode(data)) else ())
                 self._pass_on(parser.tick())
 

@@ -42,6 +42,12 @@ from fasteroids.tui.strip import Strip
 
 __all__ = ["Play"]
 
+LINGER: Final = 1.0
+"""Seconds of game time from the end of a game to the telling of it: one sees what happened."""
+
+WINDOW: Final = (100, 32)
+"""Columns and rows of a game in a window."""
+
 _SELDOM: Final = 6
 """Frames of a running game between two looks of the panes."""
 
@@ -60,6 +66,9 @@ class Play(Screen[None], inherit_bindings=False):
     Play #side { width: 40; display: none; }
     Play #pane { height: 1fr; }
     Play.wide #side { display: block; }
+    Play.window { align: center middle; background: #1c2230; }
+    Play.window #status, Play.window #middle, Play.window #strip, Play.window #said { max-width: 100; }
+    Play.window #middle { max-height: 29; }
     """
 
     class Asked(Message):
@@ -69,12 +78,19 @@ class Play(Screen[None], inherit_bindings=False):
             super().__init__()
             self.command = command
 
+    class Over(Message):
+        """The game has ended, a moment ago."""
+
     def __init__(
-        self, session: Session, *, view: View, keymap: Keymap, fps: int, keeper: Keeper | None, sound: Sound
+        self, session: Session, *, view: View, keymap: Keymap, fps: int, keeper: Keeper | None, sound: Sound,
+        hands: Hands | None = None, window: bool = False, timer: bool = True,
     ) -> None:  # fmt: skip
-        super().__init__()
+        """`window`: in a frame of `WINDOW` cells. Without `timer` time goes on by `go_on` alone."""
+        super().__init__(classes="window" if window else "")
         self.session, self.view, self.keymap = session, view, keymap
-        self.hands = Hands()
+        self.hands = hands or Hands()
+        self.over = session.game.ended is not None
+        self._window, self._ticking = window, timer
         self.frames = 0
         self._fps, self._keeper, self._sound = fps, keeper, sound
         self._last = 0.0
@@ -97,7 +113,8 @@ class Play(Screen[None], inherit_bindings=False):
     def on_mount(self) -> None:
         """Time begins."""
         self._last = perf_counter()
-        self._timer = self.set_interval(1.0 / self._fps, self._beat)
+        if self._ticking:
+            self._timer = self.set_interval(1.0 / self._fps, self._beat)
         self._keep()
 
     def on_unmount(self) -> None:
@@ -110,7 +127,7 @@ class Play(Screen[None], inherit_bindings=False):
     def _beat(self) -> None:
         now = perf_counter()
         elapsed, self._last = now - self._last, now
-        if self.is_current:
+        if self.is_active:
             self.go_on(elapsed)
 
     def go_on(self, elapsed: float) -> None:
@@ -135,7 +152,17 @@ class Play(Screen[None], inherit_bindings=False):
             if session.live and session.timeline.name == before.timeline.name:
                 self._heard(before)
             self._take_hands(before)
+        self._tell_end()
         self.picture()
+
+    def _tell_end(self) -> None:
+        """Tell of the end of the game, once, a moment after it."""
+        game = self.session.game
+        if game.ended is None:
+            self.over = self.over and not self.session.live
+        elif self.session.live and not self.over and self.session.world.time >= game.since + LINGER:
+            self.over = True
+            self.post_message(self.Over())
 
     def _keep(self) -> None:
         if self._keeper is not None:
@@ -202,6 +229,10 @@ class Play(Screen[None], inherit_bindings=False):
         """Somebody looks elsewhere: nothing stays held."""
         self.hands = let_go(self.hands)
 
+    def on_screen_suspend(self) -> None:
+        """Another screen takes the keys: nothing stays held."""
+        self.hands = let_go(self.hands)
+
     # Pictures.
 
     def on_resize(self) -> None:
@@ -209,8 +240,14 @@ class Play(Screen[None], inherit_bindings=False):
         self._laid_out()
         self.call_after_refresh(self.picture)
 
-    def _laid_out(self) -> None:
+    @property
+    def room(self) -> tuple[int, int]:
+        """Columns and rows of the game."""
         columns, rows = self.size
+        return (min(columns, WINDOW[0]), min(rows, WINDOW[1])) if self._window else (columns, rows)
+
+    def _laid_out(self) -> None:
+        columns, rows = self.room
         wide = self.view.panels and columns >= PANELS_FROM[0] and rows >= PANELS_FROM[1]
         self.set_class(wide and columns >= 100, "wide")
 
@@ -218,7 +255,7 @@ class Play(Screen[None], inherit_bindings=False):
         """Show the session as it is."""
         if not self.is_mounted:
             return
-        columns, rows = self.size
+        columns, rows = self.room
         small = too_small(columns, rows)
         arena = self.query_one(Arena)
         self.frames += 1

@@ -127,10 +127,13 @@ def opened(world: World, game: Game, *, budget: int = BUDGET) -> Session:
     return Session(timeline, pmap({MAIN: ((timeline.last.place, game),)}))
 
 
-def reviewed(timeline: Timeline, humans: int = 0) -> Session:
-    """A past that was lived elsewhere, looked at from its beginning; its games are judged anew."""
+def reviewed(timeline: Timeline, humans: int = 0, *, game: Game | None = None) -> Session:
+    """A past that was lived elsewhere, looked at from its beginning; its games are judged anew.
+
+    `game` is the one it began with; without it, that of a scene whose first ships so many humans fly.
+    """
     first = timeline.first
-    game = ruled(first.world, humans)
+    game = ruled(first.world, humans) if game is None else game
     session = Session(timeline, pmap({timeline.name: ((first.place, game),)}), first.place, 0)
     return _judged(session, first, timeline.forwards(first.place))
 

@@ -174,12 +174,14 @@ def started() -> Player:
 class Sound:
     """Plays effects, or does nothing. Nothing it does raises, or waits. A context manager.
 
-    `on` tells whether it can play; `note` says why not, in words for the user, and is empty while it can.
+    `on` tells whether it can play; `note` says why not, in words for the user, and is empty while it can. While `muted`
+    nothing is played.
     """
 
     def __init__(self, start: Callable[[], Player] | None = None, *, wanted: bool = True) -> None:
         """`start` begins the process; it is `started` if the extra is there. Not `wanted`: silence."""
         self.note = ""
+        self.muted = False
         self._player: Player | None = None
         if not wanted:
             self.note = "sound is off"
@@ -204,7 +206,7 @@ class Sound:
 
     def play(self, effect: Effect) -> None:
         """Play a sound now, beside those that are being played. A player that is too busy misses it."""
-        if self._player is None or self._player.stdin is None:
+        if self._player is None or self._player.stdin is None or self.muted:
             return
         try:
             if self._player.poll() is None:

@@ -42,6 +42,8 @@ def test_every_command_has_help(call: Call, name: str) -> None:
         "diff": "A B",
         "show": "FILE",
         "export": "FILE",
+        "replay": "FILE",
+        "serve": "--host",
     }.get(name, "SCENE") in shown.stdout
 
 

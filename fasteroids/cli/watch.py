@@ -1,0 +1,47 @@
+"""`fasteroids watch`: look on while programs play."""
+
+from __future__ import annotations
+
+import click
+
+from fasteroids.cli import _arcade as arcade
+from fasteroids.cli import _options as options
+from fasteroids.cli._telling import told
+
+__all__ = ["command"]
+
+
+@click.command("watch")
+@options.scene
+@options.bots
+@options.seed
+@options.model
+@arcade.screen
+@click.option(
+    "--plain", is_flag=True, help="Tell it in words, a line an event, without a terminal."
+)
+def command(
+    scene: str,
+    bots: tuple[str, ...],
+    seed: int | None,
+    model: str | None,
+    arena: str | None,
+    fps: str | None,
+    silent: bool,
+    window: bool,
+    plain: bool,
+) -> int:
+    """Look on while the programs of SCENE play, on the terminal.
+
+    SCENE is a file in TOML, '-' for standard input with --plain, or the name of a scene that comes with the package.
+    Time can be paused, and gone back in; any moment can be taken over. '?' shows the keys.
+    """
+    from fasteroids.tui.launching import SceneGame
+
+    if scene == "-" and not plain:
+        raise click.UsageError("standard input has the keys; give a file, or --plain")
+    wanted = SceneGame(scene, 0, bots, seed, model)
+    if plain:
+        return told(arcade.begun(wanted), live=True)
+    shown = arcade.Screen(arena, None if fps is None else int(fps), silent, window)
+    return arcade.opened(wanted, shown)

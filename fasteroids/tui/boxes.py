@@ -1,0 +1,337 @@
+"""Boxes over another screen: one chooses, is asked for a line of text, or reads. Esc leaves them without an answer."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import ClassVar, Final, Generic, TypeVar
+
+from textual import events
+from textual.app import ComposeResult
+from textual.binding import BindingType
+from textual.containers import Vertical
+from textual.fuzzy import Matcher
+from textual.message import Message
+from textual.screen import ModalScreen
+from textual.widgets import Input
+
+from fasteroids.tui.keyboard import KeyAgain
+from fasteroids.tui.menu import Entry, Menu, centred, hit, lines, listed, moved, pictured, put
+from fasteroids.tui.panels import Rows
+from fasteroids.tui.rows import Style
+
+__all__ = ["Ask", "Box", "Choices", "Choose", "Tell"]
+
+T = TypeVar("T")
+R = TypeVar("R")
+
+_STEPS: Final = {"up": -1, "down": 1}
+_MARGIN: Final = 6
+"""Columns and rows of a box that are not for what is in it: the border, and some blanks."""
+
+
+class Choices(Rows, Generic[T]):
+    """A menu on screen. A click chooses; keys come through `key`, from whoever has them."""
+
+    class Chosen(Message):
+        """An entry was clicked."""
+
+    def __init__(self, entries: Sequence[Entry[T]], *, id: str | None = None) -> None:
+        super().__init__(id=id)
+        self.menu: Menu[T] = listed(entries)
+
+    def offer(self, entries: Sequence[Entry[T]], *, at: int = 0) -> None:
+        """Show other entries, one of them chosen."""
+        self.menu = put(listed(entries), min(at, max(len(entries) - 1, 0)), self.size.height)
+        self.picture()
+
+    def key(self, key: str) -> bool:
+        """Move by a key; was it one that moves?"""
+        height = self.size.height
+        page = max(height - 1, 1)
+        if key in _STEPS:
+            self.menu = moved(self.menu, _STEPS[key], height, around=True)
+        elif key in ("pageup", "pagedown"):
+            self.menu = moved(self.menu, page if key == "pagedown" else -page, height)
+        elif key in ("home", "end"):
+            many = len(self.menu.entries)
+            self.menu = moved(self.menu, many if key == "end" else -many, height)
+        else:
+            return False
+        self.picture()
+        return True
+
+    def picture(self) -> None:
+        """Show the menu as it is."""
+        self.show(pictured(self.menu, self.size.width, self.size.height))
+
+    def on_resize(self) -> None:
+        """Another size: the chosen entry stays in sight."""
+        if self.menu.entries:
+            self.menu = put(self.menu, self.menu.at, self.size.height)
+        self.picture()
+
+    def on_click(self, event: events.Click) -> None:
+        """Choose what is clicked."""
+        event.stop()
+        event.prevent_default()
+        at = hit(self.menu, event.y)
+        if at is not None:
+            self.menu = put(self.menu, at, self.size.height)
+            self.picture()
+            self.post_message(self.Chosen())
+
+    def on_mouse_scroll_up(self) -> None:
+        """The wheel moves the choice."""
+        self.menu = moved(self.menu, -1, self.size.height)
+        self.picture()
+
+    def on_mouse_scroll_down(self) -> None:
+        """The wheel moves the choice."""
+        self.menu = moved(self.menu, 1, self.size.height)
+        self.picture()
+
+
+class Box(ModalScreen[R], inherit_bindings=False):
+    """A box in the middle with a heading above and a line about keys below; `inside` is what is in it."""
+
+    BINDINGS: ClassVar[list[BindingType]] = []
+    AUTO_FOCUS = "Input"
+    DEFAULT_CSS = """
+    Box { align: center middle; background: #0b0e14 70%; }
+    Box > Vertical {
+        border: ascii #7a9cc6; background: #0b0e14; padding: 0 1; width: auto; height: auto;
+        max-width: 100%; max-height: 100%;
+    }
+    Box Input, Box Input:focus {
+        border: none; height: 1; padding: 0; background: #1c2230; color: #ffffff; background-tint: #000000 0%;
+    }
+    """
+
+    def __init__(self, title: str, foot: str) -> None:
+        super().__init__()
+        self._heading, self._foot = title, foot
+
+    def inside(self) -> ComposeResult:
+        """The widgets between heading and foot."""
+        yield from ()
+
+    def wanted(self) -> tuple[int, int]:
+        """The columns and rows that what is inside would like to have."""
+        return 0, 0
+
+    def fitted(self, columns: int, rows: int) -> None:
+        """What is inside gets so many columns and rows."""
+
+    def compose(self) -> ComposeResult:
+        """The box."""
+        with Vertical():
+            yield Rows(id="title")
+            yield from self.inside()
+            yield Rows(id="foot")
+
+    def on_mount(self) -> None:
+        """Take the room there is."""
+        self.fit()
+
+    def on_resize(self) -> None:
+        """Another size."""
+        self.fit()
+
+    def fit(self) -> None:
+        """Take as much room as what is inside wants, but no more than there is."""
+        if not self.is_mounted:
+            return
+        columns, rows = self.app.size
+        wanted = self.wanted()
+        width = max(min(max(wanted[0], len(self._heading), len(self._foot)), columns - _MARGIN), 1)
+        height = max(min(wanted[1], rows - _MARGIN), 1)
+        for name, text, style in (
+            ("#title", self._heading, Style.TITLE),
+            ("#foot", self._foot, Style.DIM),
+        ):
+            self.query_one(name, Rows).styles.width = width
+            self.query_one(name, Rows).show([centred(text, width, style)])
+        self.fitted(width, height)
+
+    def say(self, text: str) -> None:
+        """Another line about keys."""
+        self._foot = text
+        foot = self.query_one("#foot", Rows)
+        foot.show([centred(text, foot.size.width, Style.DIM)])
+
+    def on_key(self, event: events.Key) -> None:
+        """A key that means nothing here goes on to whoever has the cursor."""
+        again = isinstance(event, KeyAgain) and event.key in ("enter", "escape")
+        if again or self.key(event):
+            event.stop()
+            event.prevent_default()
+
+    def key(self, event: events.Key) -> bool:
+        """Do what a key asks, if it asks anything; Esc leaves."""
+        if event.key != "escape":
+            return False
+        self.dismiss(None)
+        return True
+
+
+class Choose(Box[T]):
+    """One of some entries; with `search` those that a text typed in fits."""
+
+    def __init__(
+        self,
+        title: str,
+        entries: Sequence[Entry[T]],
+        *,
+        search: bool = False,
+        foot: str = "Enter chooses, Esc goes back",
+    ) -> None:
+        super().__init__(title, foot)
+        self._entries, self._search = tuple(entries), search
+
+    def inside(self) -> ComposeResult:
+        """A line to search with, and the entries."""
+        if self._search:
+            yield Input(placeholder="type to search", id="search", select_on_focus=False)
+        yield Choices(self._entries, id="choices")
+
+    @property
+    def choices(self) -> Choices[T]:
+        """The entries on screen."""
+        found: Choices[T] = self.query_one("#choices", Choices)
+        return found
+
+    def wanted(self) -> tuple[int, int]:
+        """All entries."""
+        return listed(self._entries).width + 4, len(self._entries)
+
+    def fitted(self, columns: int, rows: int) -> None:
+        """Room for the entries."""
+        if self._search:
+            self.query_one("#search").styles.width = columns
+            rows = max(rows - 1, 1)
+        self.choices.styles.width, self.choices.styles.height = columns, rows
+
+    def key(self, event: events.Key) -> bool:
+        """Move, or choose."""
+        if event.key == "enter":
+            self.chosen()
+            return True
+        return self.choices.key(event.key) or super().key(event)
+
+    def on_choices_chosen(self) -> None:
+        """A click chooses."""
+        self.chosen()
+
+    def chosen(self) -> None:
+        """The chosen entry is the answer."""
+        entry = self.choices.menu.chosen
+        if entry is not None:
+            self.dismiss(entry.value)
+
+    def on_input_changed(self, event: Input.Changed) -> None:
+        """Those that fit, the best first."""
+        self.choices.offer(fitting(self._entries, event.value))
+
+
+def fitting(entries: Sequence[Entry[T]], text: str) -> list[Entry[T]]:
+    """The entries whose label or detail has the letters of a text in this order, the best first."""
+    if not text.strip():
+        return list(entries)
+    match = Matcher(text.strip()).match
+    scored = [(max(match(each.label), 0.5 * match(each.detail)), each) for each in entries]
+    found = [pair for pair in scored if pair[0] > 0.0]
+    return [each for _, each in sorted(found, key=lambda pair: -pair[0])]
+
+
+class Ask(Box[str]):
+    """A line of text, not empty."""
+
+    def __init__(self, title: str, *, text: str = "", foot: str = "Enter takes it, Esc goes back") -> None:  # fmt: skip
+        super().__init__(title, foot)
+        self._text = text
+
+    def inside(self) -> ComposeResult:
+        """The line."""
+        yield Input(self._text, id="line")
+
+    def wanted(self) -> tuple[int, int]:
+        """A long line: it may be a path."""
+        return 64, 1
+
+    def fitted(self, columns: int, rows: int) -> None:
+        """The width of the line."""
+        del rows
+        self.query_one("#line").styles.width = columns
+
+    def on_input_submitted(self, event: Input.Submitted) -> None:
+        """The answer."""
+        if event.value.strip():
+            self.dismiss(event.value.strip())
+
+
+class Tell(Box[None]):
+    """Something to read, which may be longer than the screen."""
+
+    def __init__(self, title: str, text: str, *, foot: str = "Up and Down scroll, Esc goes back") -> None:  # fmt: skip
+        super().__init__(title, foot)
+        self._text = text
+
+    def inside(self) -> ComposeResult:
+        """The text, as a menu without a choice."""
+        yield Text(self._text, id="text")
+
+    def wanted(self) -> tuple[int, int]:
+        """The whole text."""
+        rows = self._text.expandtabs(4).split("\n")
+        return max(map(len, rows)), len(rows)
+
+    def fitted(self, columns: int, rows: int) -> None:
+        """The part of it that there is room for."""
+        text = self.query_one("#text", Text)
+        text.styles.width, text.styles.height = columns, rows
+        text.picture()
+
+    def key(self, event: events.Key) -> bool:
+        """Scroll; Enter leaves too."""
+        if event.key == "enter":
+            self.dismiss(None)
+            return True
+        return self.query_one("#text", Text).key(event.key) or super().key(event)
+
+
+class Text(Rows):
+    """A text that scrolls."""
+
+    def __init__(self, text: str, *, id: str | None = None) -> None:
+        super().__init__(id=id)
+        self.text, self.top = text, 0
+
+    def key(self, key: str) -> bool:
+        """Scroll by a key; was it one that scrolls?"""
+        page = max(self.size.height - 1, 1)
+        far = len(self.text.split("\n"))
+        steps = {**_STEPS, "pageup": -page, "pagedown": page, "space": page, "home": -far, "end": far}  # fmt: skip
+        self.move(steps.get(key, 0))
+        return key in steps
+
+    def move(self, step: int) -> None:
+        """So many lines down, or up."""
+        last = max(len(self.text.split("\n")) - self.size.height, 0)
+        self.top = min(max(self.top + step, 0), last)
+        self.picture()
+
+    def picture(self) -> None:
+        """Show the part that is in sight."""
+        self.show(lines(self.text, self.size.width)[self.top : self.top + self.size.height])
+
+    def on_resize(self) -> None:
+        """Another size."""
+        self.move(0)
+
+    def on_mouse_scroll_up(self) -> None:
+        """The wheel scrolls."""
+        self.move(-3)
+
+    def on_mouse_scroll_down(self) -> None:
+        """The wheel scrolls."""
+        self.move(3)
