@@ -31,6 +31,7 @@ _LOOKS: Final[Mapping[int, Look]] = {
     Style.BAD: Look(color="#d55e00", bgcolor=palette.BACKGROUND, bold=True),
 }
 _PLAIN: Final = _LOOKS[Style.PLAIN]
+_CHOSEN: Final = Look(reverse=True)
 
 
 class Rows(Widget):
@@ -48,6 +49,18 @@ class Rows(Widget):
     def __init__(self, *, id: str | None = None) -> None:
         super().__init__(id=id)
         self._rows: tuple[Row, ...] = ()
+        self._chosen: int | None = None
+
+    @property
+    def chosen(self) -> int | None:
+        """The row that is marked as chosen, from the top."""
+        return self._chosen
+
+    def choose(self, row: int | None) -> None:
+        """Mark a row as chosen, or none."""
+        if row != self._chosen:
+            self._chosen = row
+            self.refresh()
 
     @property
     def rows(self) -> tuple[Row, ...]:
@@ -65,7 +78,8 @@ class Rows(Widget):
         """The cells of a line of the widget."""
         shown = self._rows[y] if y < len(self._rows) else Row("")
         strip = Strip(list(_segments(shown)))
-        return strip.adjust_cell_length(self.size.width, _PLAIN)
+        strip = strip.adjust_cell_length(self.size.width, _PLAIN)
+        return strip.apply_style(_CHOSEN) if y == self._chosen else strip
 
     def on_click(self, event: events.Click) -> None:
         """A click."""

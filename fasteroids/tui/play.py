@@ -5,6 +5,7 @@ from __future__ import annotations
 from time import perf_counter
 from typing import ClassVar, Final
 
+from attrs import evolve
 from textual import events
 from textual.app import ComposeResult
 from textual.binding import BindingType
@@ -20,7 +21,10 @@ from fasteroids.tui.camera import Frame, frame
 from fasteroids.tui.canvas import Row
 from fasteroids.tui.chronicle import chronicle_of
 from fasteroids.tui.commanding import commanded, viewed
+from fasteroids.tui.choosing import next_leading
 from fasteroids.tui.controls import Hands, acted, let_go, pressed, released, reported, synced
+from fasteroids.tui.debugging import sought, stopped
+from fasteroids.tui.editor import Breaking, Editor
 from fasteroids.tui.keeping import Keeper
 from fasteroids.tui.keyboard import KeyAgain, KeyboardReport, KeyUp
 from fasteroids.tui.keys import FLIGHT, Command, Keymap
@@ -36,7 +40,8 @@ from fasteroids.tui.picture import (
     told,
     too_small,
 )
-from fasteroids.tui.session import Session, beat, look, look_at
+from fasteroids.tui.rewriting import source_of
+from fasteroids.tui.session import Session, beat, look, look_at, paused
 from fasteroids.tui.sound import Sound, effect_of
 from fasteroids.tui.strip import Strip
 
@@ -47,6 +52,9 @@ LINGER: Final = 1.0
 
 WINDOW: Final = (100, 32)
 """Columns and rows of a game in a window."""
+
+_WIDE: Final = 100
+"""Columns from which on the panel stays while a game is played; in fewer it comes when one looks at the past."""
 
 _SELDOM: Final = 6
 """Frames of a running game between two looks of the panes."""
@@ -66,6 +74,7 @@ class Play(Screen[None], inherit_bindings=False):
     Play #side { width: 40; display: none; }
     Play #pane { height: 1fr; }
     Play.wide #side { display: block; }
+    Play.narrow #side { display: block; width: 32; }
     Play.window { align: center middle; background: #1c2230; }
     Play.window #status, Play.window #middle, Play.window #strip, Play.window #said { max-width: 100; }
     Play.window #middle { max-height: 29; }
@@ -99,6 +108,7 @@ class Play(Screen[None], inherit_bindings=False):
         self._foreseen = -1.0
         self._chronicle = chronicle_of(session.timeline)
         self._film: Strip | None = None
+        self._has_pane = False
 
     def compose(self) -> ComposeResult:
         """A line above, the arena and the panes, two lines below."""
@@ -133,6 +143,9 @@ class Play(Screen[None], inherit_bindings=False):
     def go_on(self, elapsed: float) -> None:
         """So much wall time (s) later."""
         before = self.session
+        if before.seek is not None:
+            self.become(sought(before))
+            return
         actions = []
         if before.live and before.running:
             self.hands, told = acted(self.hands, elapsed * before.speed)
@@ -153,6 +166,9 @@ class Play(Screen[None], inherit_bindings=False):
                 self._heard(before)
             self._take_hands(before)
         self._tell_end()
+        if (session.live and session.running) != (before.live and before.running):
+            self._laid_out()
+            self.call_after_refresh(self.picture)
         self.picture()
 
     def _tell_end(self) -> None:
@@ -188,6 +204,10 @@ class Play(Screen[None], inherit_bindings=False):
 
     def on_key(self, event: events.Key) -> None:
         """A key went down."""
+        if self._chooses(event.key):
+            event.stop()
+            event.prevent_default()
+            return
         command = self.keymap.command(event.key)
         if command is None:
             return
@@ -197,6 +217,9 @@ class Play(Screen[None], inherit_bindings=False):
 
     def command(self, command: Command, *, again: bool = False) -> None:
         """Do what a command asks."""
+        if command is Command.BACK and self.session.seek is not None:
+            self.become(stopped(self.session))
+            return
         if command in FLIGHT:
             if not self.session.live and not again:
                 return
@@ -208,6 +231,8 @@ class Play(Screen[None], inherit_bindings=False):
             self._laid_out()
             self.picture()
             return
+        if self._worked(command):
+            return
         session = commanded(self.session, command)
         if session is None:
             self.post_message(self.Asked(command))
@@ -215,6 +240,60 @@ class Play(Screen[None], inherit_bindings=False):
         self.hands = let_go(self.hands)
         self._foreseen = -1.0
         self.become(session)
+
+    # The program, and the panel.
+
+    def _worked(self, command: Command) -> bool:
+        """Do a command that works on the program or in the panel in a pause, if this is one."""
+        if command not in (Command.EDIT, Command.BREAK_WHEN, Command.CHOOSE):
+            return False
+        session = evolve(self.session, seek=None)
+        session = paused(session) if session.running else session
+        self.hands = let_go(self.hands)
+        source = source_of(session)
+        if command is Command.CHOOSE:
+            self.become(session)
+            self._choose_first()
+        elif source is None:
+            self.become(evolve(session, said="no ship here runs a program: select one that does"))
+        elif command is Command.EDIT:
+            self.become(session)
+            editor = Editor(session, *source, timer=self._ticking)
+            self.app.push_screen(editor, self._answered)
+        else:
+            self.become(session)
+            self.app.push_screen(Breaking(session), self._answered)
+        return True
+
+    def _answered(self, session: Session | None) -> None:
+        """Another screen had an answer, or none."""
+        if session is not None:
+            self.become(session)
+
+    def _choose_first(self) -> None:
+        """The first row of the panel that leads anywhere is chosen."""
+        side = self.query_one("#pane", Rows)
+        first = next_leading(side.rows, None, 1)
+        shown = first is not None and self._has_pane
+        side.choose(first if shown else None)
+        said = "arrows and Enter choose a line, Esc leaves" if shown else "no line here leads anywhere"
+        self.become(evolve(self.session, said=said))
+
+    def _chooses(self, key: str) -> bool:
+        """Is a key for the chosen row of the panel? Any other key leaves it first."""
+        side = self.query_one("#pane", Rows)
+        if side.chosen is None:
+            return False
+        if key in ("up", "down"):
+            side.choose(next_leading(side.rows, side.chosen, 1 if key == "down" else -1))
+            return True
+        place = side.rows[side.chosen].place if side.chosen < len(side.rows) else None
+        if key == "enter" and place is not None:
+            self.become(look(self.session, place))
+            side.choose(next_leading(side.rows, side.chosen - 1, 1))
+            return True
+        side.choose(None)
+        return key == "escape"
 
     def on_key_up(self, event: KeyUp) -> None:
         """A key went up, where the terminal tells."""
@@ -248,8 +327,11 @@ class Play(Screen[None], inherit_bindings=False):
 
     def _laid_out(self) -> None:
         columns, rows = self.room
-        wide = self.view.panels and columns >= PANELS_FROM[0] and rows >= PANELS_FROM[1]
-        self.set_class(wide and columns >= 100, "wide")
+        panels = self.view.panels and columns >= PANELS_FROM[0] and rows >= PANELS_FROM[1]
+        looks = not (self.session.live and self.session.running)
+        self._has_pane = panels and (columns >= _WIDE or looks)
+        self.set_class(self._has_pane and columns >= _WIDE, "wide")
+        self.set_class(self._has_pane and columns < _WIDE, "narrow")
 
     def picture(self) -> None:
         """Show the session as it is."""
@@ -282,7 +364,7 @@ class Play(Screen[None], inherit_bindings=False):
         self._film = film(self.session, self._chronicle, columns, ascii=ascii)
         self.query_one("#strip", Rows).show(self._film.rows)
         side = self.query_one("#pane", Rows)
-        if self.has_class("wide"):
+        if self._has_pane:
             width, height = side.content_size
             side.show(pane(self.session, self._chronicle, width, height))
 
