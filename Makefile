@@ -6,7 +6,7 @@ WORKERS ?= 2
 BIN := .venv/bin/
 
 # A law by its number must not find the others that begin alike: L1 is L1_, not L10_.
-ifneq ($(filter L1 L2 L3 L4 L5 L6 L7 L8 L9 L10 L11 L12 L13 L14,$(LAW)),)
+ifneq ($(filter L1 L2 L3 L4 L5 L6 L7 L8 L9 L10 L11 L12 L13 L14 L15,$(LAW)),)
 ONLY := -k "$(LAW)_"
 else ifneq ($(LAW),)
 ONLY := -k "$(LAW)"

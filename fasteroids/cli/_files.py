@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 import stat
 import sys
-from collections.abc import Sequence
-from contextlib import suppress
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import IO
 
@@ -18,10 +18,12 @@ __all__ = [
     "STDIO",
     "Lines",
     "check_outputs",
+    "is_special",
     "names_file",
     "read_limited",
     "read_named",
     "read_program",
+    "replacing",
     "shipped",
     "shipped_programs",
     "write_whole",
@@ -29,10 +31,8 @@ __all__ = [
 
 STDIO = "-"
 
-_MOST_BYTES = 64 * 1024 * 1024
-"""Longer files are no scenes. A limit, so that a slip (a device, a disk image) does not fill the memory."""
-
-_MOST_BYTES_OF_PROGRAM = 1024 * 1024
+_MOST_BYTES = {"scene": 64 * 2**20, "program": 2**20, "recording": 2**30}
+"""Longer files are none. A limit, so that a slip (a device, a disk image) does not fill the memory."""
 
 _BATCH = 64 * 1024  # characters that lines to a file wait for
 
@@ -67,8 +67,8 @@ def _shipped(folder: str, suffix: str) -> dict[str, str]:
 
 
 def read_limited(file: IO[bytes], title: str, what: str) -> bytes:
-    """All the bytes of `what`, a scene or a program; a `Refusal` if there are more than it may have."""
-    most = _MOST_BYTES if what == "scene" else _MOST_BYTES_OF_PROGRAM
+    """All the bytes of `what`, a key of the table of limits; a `Refusal` if there are more than it may have."""
+    most = _MOST_BYTES[what]
     data = file.read(most + 1)
     if len(data) > most:
         raise Refusal(f"{title}: a {what} has at most {most} bytes; this one has more")
@@ -110,16 +110,22 @@ def read_program(place: str) -> bytes:
 # Outputs.
 
 
-def check_outputs(scene: str, outputs: dict[str, str | None], programs: Sequence[str] = ()) -> None:
+def check_outputs(
+    source: str,
+    outputs: dict[str, str | None],
+    programs: Sequence[str] = (),
+    *,
+    what: str = "scene",
+) -> None:
     """Refuse what cannot work, before anything is written. `outputs` are the values of options by their names.
 
-    Two outputs in one file, or on standard output; the file of the scene or of one of the programs; folders, and
-    places in none.
+    Two outputs in one file, or on standard output; the file of the source (a scene, or `what` it is) or of one of the
+    programs; folders, and places in none.
     """
     files = filter(os.path.isfile, programs)
     owners = {os.path.realpath(file): "the program" for file in files}
-    if scene != STDIO and Path(scene).is_file():
-        owners[os.path.realpath(scene)] = "the scene"
+    if source != STDIO and Path(source).is_file():
+        owners[os.path.realpath(source)] = f"the {what}"
     for option, value in outputs.items():
         if value is None:
             continue
@@ -222,22 +228,37 @@ def _is_plain(stream: IO[bytes] | None) -> bool:
 def write_whole(place: str, text: str) -> None:
     """Write a text to a file so that the file has all of it or is as it was; '-' is standard output.
 
-    A new file beside it takes its place. What is no plain file (a device, a pipe) is written to as it is.
+    What is no plain file (a device, a pipe) is written to as it is.
     """
-    target = Path(os.path.realpath(place))
-    if place == STDIO or (target.exists() and not target.is_file()):
+    if place == STDIO or is_special(place):
         with Lines(place) as lines:
             lines.write(text.removesuffix("\n"))
         return
+    with replacing(place) as beside, beside.open("xb") as file:
+        file.write(text.encode("utf-8"))
+
+
+def is_special(place: str) -> bool:
+    """Is there something that is no plain file: a device, a pipe? It cannot be replaced by a file."""
+    target = Path(os.path.realpath(place))
+    return target.exists() and not target.is_file()
+
+
+@contextmanager
+def replacing(place: str) -> Iterator[Path]:
+    """A path beside a file, for a new one, which takes its place at the end of the block, whole; not if that fails.
+
+    `Refusal` for an `OSError` in the block, too.
+    """
+    target = Path(os.path.realpath(place))
     beside = target.with_name(f".{target.name}.{os.getpid()}")
     try:
         try:
-            with beside.open("xb") as file:
-                file.write(text.encode("utf-8"))
+            yield beside
             if target.exists():
                 beside.chmod(stat.S_IMODE(target.stat().st_mode))
             beside.replace(target)
         finally:
             beside.unlink(missing_ok=True)
     except OSError as error:
-        raise Refusal(f"cannot write {place!r}: {error.strerror}") from None
+        raise Refusal(f"cannot write {place!r}: {error.strerror or error}") from None

@@ -18,7 +18,7 @@ from fasteroids.events import Happened, happenings
 from fasteroids.state import World
 from fasteroids.units import ModelError
 
-__all__ = ["Fold", "Step"]
+__all__ = ["Fold", "Step", "stops"]
 
 Step = tuple[Happened | None, World]
 """An event and the world just after it; a sample of the world has None for the event."""
@@ -127,7 +127,7 @@ def _sliced(
     is a cut (assignment 1.6).
     """
     left = max_events
-    for stop, sampled in _stops(world.time, until, every):
+    for stop, sampled in stops(world.time, until, every):
         unfold = happenings(world, stop, max_events=left)
         while True:
             try:
@@ -144,7 +144,7 @@ def _sliced(
     return world
 
 
-def _stops(start: float, until: float, every: float | None) -> Iterator[tuple[float, bool]]:
+def stops(start: float, until: float, every: float | None) -> Iterator[tuple[float, bool]]:
     """The times (s) to go to, and whether to take a sample there: multiples of `every`, and the end."""
     if every is not None:
         for k in count(

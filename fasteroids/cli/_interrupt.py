@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import signal
 from collections.abc import Generator, Iterator
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from types import FrameType, TracebackType
 from typing import Any, Generic, TypeVar
 
-__all__ = ["Interruptible"]
+__all__ = ["Interruptible", "terminable"]
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -72,3 +72,16 @@ class Interruptible(Generic[T, R]):
 def _press(_number: int, _frame: FrameType | None) -> None:
     """As Ctrl-C does, so that SIGTERM waits too where that is held back."""
     signal.raise_signal(signal.SIGINT)
+
+
+@contextmanager
+def terminable() -> Iterator[None]:
+    """SIGTERM is as Ctrl-C in this block, an exception: what is half done can be cleared away."""
+    previous: Any = None
+    with suppress(ValueError):  # not the main thread, where no signal arrives
+        previous = signal.signal(signal.SIGTERM, _press)
+    try:
+        yield
+    finally:
+        if previous is not None:
+            signal.signal(signal.SIGTERM, previous)

@@ -244,7 +244,7 @@ def _stop(timeline: Timeline, ship: int, place: Place) -> Lived | None:
     for state in timeline.backwards(place, wanted("tick", ship)):
         what = state.what
         if isinstance(what, Happened) and what.kind == "tick" and what.entities == (ship,):
-            flown = state.world[ship] if ship in state.world else None
+            flown = state.world.entities.get(ship)
             program = flown.program if isinstance(flown, Ship) else None
             return state if program is not None and not program.running else None
     return None

@@ -28,6 +28,7 @@ __all__ = [
     "lived",
     "reached",
     "relived",
+    "up_to",
 ]
 
 
@@ -129,18 +130,18 @@ def relived(last: Lived, givens: Iterable[Given], until: Clock) -> Past:
     pasts finds the difference by itself. `ModelError` as `answered` and `lived`.
     """
     for place, what, residue in givens:
-        last = yield from _up_to(last, place)
-        if residue != last.world.clock[2]:
-            last = yield from _events(last, (*place.moment, residue))
-        if isinstance(what, Cut):
+        if isinstance(what, Cut):  # not by way of its place: time would be cut there twice
             last = yield from lived(last, what.clock)
         else:
+            last = yield from up_to(last, place)
+            if residue != last.world.clock[2]:
+                last = yield from _events(last, (*place.moment, residue))
             last = answered(last, what)
             yield last
     return (yield from _events(last, until))
 
 
-def _up_to(last: Lived, place: Place) -> Past:
+def up_to(last: Lived, place: Place) -> Past:
     """Each event up to a place: no more of those at its moment than belong before it."""
     if last.place >= place:
         return last

@@ -32,6 +32,7 @@ __all__ = [
     "next_state",
     "past_all_at",
     "previous_state",
+    "reached",
 ]
 
 At: TypeAlias = Place | float

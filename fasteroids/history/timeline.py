@@ -11,7 +11,7 @@ that the caller makes. When they cost more than the budget, states that can be l
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
 from math import inf
 from typing import Any, Final
@@ -30,6 +30,7 @@ from fasteroids.history.living import (
     lived,
     reached,
     relived,
+    up_to,
 )
 from fasteroids.history.marks import Marks, marked
 from fasteroids.moments import Clock, advanced, clock_at
@@ -125,19 +126,38 @@ class Timeline:
         """
         clock = clock_at(time)
         if clock[:2] < self.world.now:
-            raise ModelError(
-                f"this line has come to {self.world.time!r} s already; branch to live on from {shown(time)} s"
-            )
+            if time != self.world.time:
+                raise ModelError(
+                    f"this line has come to {self.world.time!r} s already; branch to live on from {shown(time)} s"
+                )
+            clock = self.world.clock  # its time is only the double nearest to its clock
         return self._until(clock)
 
     def _until(self, clock: Clock) -> Timeline:
-        return self._grown(list(lived(self.last, clock)))
+        return self.grown(list(lived(self.last, clock)))
+
+    def reach(self, place: Place) -> Timeline:
+        """Time goes on up to a place that another past had: of what is due at its moment, only what came before it.
+
+        If fewer happenings lead there than did in that past, all that is due happens. As it is if it has come there.
+        `ModelError` as `evolve`.
+        """
+        states, coming = [], up_to(self.last, place)
+        while True:
+            try:
+                states.append(next(coming))
+            except StopIteration as stop:
+                last: Lived = stop.value
+                break
+        if last.world.now > (states[-1] if states else self.last).world.now:
+            states.append(Lived(last.place, Cut(last.world.clock), last.world))
+        return self.grown(states)
 
     def take(self, what: Input) -> Timeline:
         """The world outside does something, now. `ModelError` if it makes no sense. A cut is time going on up to it."""
         if isinstance(what, Cut):
             return self._until(what.clock)
-        return self._grown([answered(self.last, what)])
+        return self.grown([answered(self.last, what)])
 
     def act(self, ship: int, action: Action) -> Timeline:
         """A ship takes an action, as `fasteroids.act`."""
@@ -155,7 +175,8 @@ class Timeline:
         """An entity is taken out, as `World.remove`."""
         return self.take(Remove(entity))
 
-    def _grown(self, states: list[Lived]) -> Timeline:
+    def grown(self, states: Sequence[Lived]) -> Timeline:
+        """With states that were lived elsewhere, from its last one on, in order, as `living` gives them."""
         line = appended(self.line, states)
         return evolve(self, lines=self.lines.set(self.name, line)).thin()
 
@@ -220,13 +241,13 @@ class Timeline:
     def _states(
         self, line: Line, start: tuple[int, int], step: int, wanted: Marks | None
     ) -> Iterator[Lived]:
-        """The states of a line from a kept one on, but for what a branch begins with: that is its parent's."""
+        """The states of a line from a kept one on, but for what a branch begins with if that is its parent's."""
         for each in kept(line, start, step, wanted):
             states = [each.state] if wanted is None or marked(each.state).may_hold(wanted) else []
             if each.gap.size and (wanted is None or each.gap.marks.may_hold(wanted)):
                 states += self._relived(line, each)
             for state in states if step > 0 else reversed(states):
-                if line.parent is None or state is not line.first:
+                if line.parent is None or state is not line.first or state.what is not None:
                     yield state
 
     def _relived(self, line: Line, each: Kept) -> list[Lived]:
@@ -263,7 +284,7 @@ class Timeline:
         parent = next(
             line.name for line, _ in reversed(self._lines()) if line.first.place <= state.place
         )
-        line = begun(name, parent, state._replace(what=None))
+        line = begun(name, parent, state)
         return evolve(self, lines=self.lines.set(name, line), name=name).thin()
 
     def _free(self) -> str:
@@ -272,16 +293,19 @@ class Timeline:
         )
 
     def _looked_up(self, at: float | Place) -> Lived:
-        """The state at a time or a place."""
-        if not isinstance(at, Place):
-            world = self.at(at)
-            before = self.state(Place(*world.now, inf))  # type: ignore[arg-type]  # after all of that moment
-            return Lived(before.place.reaching(world.now), None, world)
-        if self.first.place <= at <= self.last.place:
-            state = self.reached(at)
-            if state.place == at:
-                return state
-        raise ModelError(f"there is no place {tuple(at)} in this past")
+        """The state at a time or a place: without a `what` where this past has one, with a cut between two of them."""
+        place = at if isinstance(at, Place) else Place(*self.at(at).now, inf)  # type: ignore[arg-type]  # after all of it
+        if isinstance(at, Place) and not self.first.place <= at <= self.last.place:
+            raise ModelError(f"there is no place {tuple(at)} in this past")
+        state = self.state(place)
+        if state.place.moment < place.moment:
+            there = self.reached(place)
+            state = there._replace(what=Cut(there.world.clock))
+        else:
+            state = state._replace(what=None)
+        if isinstance(at, Place) and state.place != at:
+            raise ModelError(f"there is no place {tuple(at)} in this past")
+        return state
 
     def switch(self, name: str) -> Timeline:
         """Time goes on in another line. `ModelError` if there is none of this name."""

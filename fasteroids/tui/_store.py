@@ -132,9 +132,15 @@ class Store:
         return settings
 
     def keep(self, settings: Settings) -> bool:
-        """Write the settings; did it work?"""
+        """Write the settings; did it work?
+
+        Of a file that says more than settings do (comments, mistakes) a copy stays beside it, as `config.toml.old`.
+        """
         try:
             self._config.parent.mkdir(parents=True, exist_ok=True)
+            old = _read(self._config).decode("utf-8", "replace") if self._config.exists() else ""
+            if old and settings_text(read_settings(old)[0]) != old:
+                _write_whole(self._config.with_name(f"{self._config.name}.old"), old)
             _write_whole(self._config, settings_text(settings))
         except OSError as error:
             self._tell(f"settings are not kept: {_reason(error, self._config)}")

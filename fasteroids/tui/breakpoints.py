@@ -10,9 +10,8 @@ What is true only between two ticks is none of the program's business; `fasteroi
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator
-from functools import partial
-from itertools import islice
+from collections.abc import Collection, Iterator, Sequence
+from itertools import islice, pairwise
 from typing import Final, Literal, TypeAlias
 
 from attrs import evolve, frozen
@@ -24,15 +23,18 @@ from fasteroids.history import (
     Point,
     Tick,
     Timeline,
+    last_change,
     next_tick,
     previous_tick,
+    tick_at,
 )
 from fasteroids.history.living import Lived, reached
+from fasteroids.history.stepping import is_tick_of
 from fasteroids.lang.machine import Machine
 from fasteroids.state import World, flight, replaced
 from fasteroids.units import ModelError, shown
 
-__all__ = ["MOST_TICKS", "AtLine", "Breakpoint", "Found", "When", "next_break"]
+__all__ = ["MOST_TICKS", "AtLine", "Breakpoint", "Found", "When", "last_write", "next_break"]
 
 MOST_TICKS: Final = 50
 """So many ticks are looked through at once, if nobody says: 10 s of a past."""
@@ -93,15 +95,38 @@ def next_break(
     looked, last = 0, position.tick
     for last in islice(walk, ticks):
         looked += 1
-        for before, point in _pairs(timeline, last)[::step]:
-            if (point.tick.place, point.step) == (position.tick.place, position.step) or (
-                last.place == position.tick.place and (point.step > position.step) != (step == 1)
-            ):
-                continue
-            for each in breakpoints:
-                if _stops(each, before, point):
-                    return Found(point, each, looked, last.place, exhausted=False)
+        points = _beginnings(last)
+        stops = [_stops(timeline, each, last, points) for each in breakpoints]
+        for i in range(len(points))[::step]:
+            point = points[i]
+            if last.place != position.tick.place or (point.step - position.step) * step > 0:
+                for each, stopping in zip(breakpoints, stops, strict=True):
+                    if stopping[i]:
+                        return Found(point, each, looked, last.place, exhausted=False)
     return Found(None, None, looked, last.place, exhausted=next(walk, None) is None)
+
+
+def last_write(timeline: Timeline, name: str, position: Point) -> Point | None:
+    """In front of the step that gave a variable of the program the value it has at a position.
+
+    None if nothing did since the past began, or since the ship got its program. A tick that changes a variable, and
+    back again, left it as it was; asked behind it, the write before it counts. `ModelError` if there is no such
+    variable.
+    """
+    if name not in position.machine.store:
+        raise ModelError(
+            f"the program has {', '.join(sorted(position.machine.store)) or 'no variables'}; got {shown(name)}"
+        )
+    tick, ship = position.tick, position.tick.ship
+    done = [i for i in tick.writes(name) if i < position.step]
+    if done:
+        return Point(tick, done[-1])
+    changed = last_change(timeline, ship, f"program.{name}", before=tick.place)
+    if changed is None or not is_tick_of(changed.state.what, ship):
+        return None
+    tick = tick_at(timeline, ship, changed.state.place)
+    writes = tick.writes(name)
+    return Point(tick, writes[-1]) if writes else None  # none among the steps that are kept
 
 
 def _ticks(timeline: Timeline, tick: Tick | None, step: int) -> Iterator[Tick]:
@@ -118,22 +143,6 @@ def _beginnings(tick: Tick) -> list[Point]:
     return [point for point in points if point.begins]
 
 
-_Before: TypeAlias = Callable[[], Point | None]
-"""Finds the point in front of the statement before; None if there is none. It may lie in an earlier tick."""
-
-
-def _pairs(timeline: Timeline, tick: Tick) -> list[tuple[_Before, Point]]:
-    """The points of a tick in front of its statements, each with the one before."""
-    points = _beginnings(tick)
-    first: _Before = partial(_last_before, timeline, tick)
-    befores: list[_Before] = [first, *(partial(_itself, point) for point in points[:-1])]
-    return list(zip(befores, points, strict=False))
-
-
-def _itself(point: Point) -> Point:
-    return point
-
-
 def _last_before(timeline: Timeline, tick: Tick) -> Point | None:
     """The last point in front of a statement before a tick."""
     earlier = previous_tick(timeline, tick.ship, tick.place)
@@ -142,24 +151,36 @@ def _last_before(timeline: Timeline, tick: Tick) -> Point | None:
     return None if earlier is None else points[-1]
 
 
-def _stops(breakpoint_: Breakpoint, before: _Before, point: Point) -> bool:
-    """Is a point in front of a statement one of a breakpoint?"""
+def _stops(
+    timeline: Timeline, breakpoint_: Breakpoint, tick: Tick, points: Sequence[Point]
+) -> list[bool]:
+    """Which points of a tick, those in front of its statements, are ones of a breakpoint?"""
     if isinstance(breakpoint_, AtLine):
-        return point.statement.line == breakpoint_.line
-    if not _holds(breakpoint_.condition, point):
-        return False
-    last = before()
-    return last is None or not _holds(breakpoint_.condition, last)
+        return [point.statement.line == breakpoint_.line for point in points]
+    holding = _holding(breakpoint_.condition, tick, points)
+    stopping = [held and not before for before, held in pairwise([False, *holding])]
+    if stopping and stopping[0]:  # it may have held at the end of an earlier tick
+        last = _last_before(timeline, tick)
+        stopping[0] = last is None or not _holding(breakpoint_.condition, last.tick, [last])[0]
+    return stopping
 
 
-def _holds(condition: Condition, point: Point) -> bool:
-    return condition(_world(point.tick, point.machine))
-
-
-def _world(tick: Tick, machine: Machine) -> World:
-    """The world as a tick comes, with the program as it is at a point of it."""
+def _holding(condition: Condition, tick: Tick, points: Sequence[Point]) -> list[bool]:
+    """Does a condition hold at points of a tick? It is looked at only where a variable was set."""
     world = reached(Lived(tick.place, None, tick.before), tick.place.moment).world
-    f, slot = world.flight_of(tick.ship), world.slot_of(tick.ship)
+    found: list[bool] = []
+    store = None
+    for point in points:
+        machine = point.machine
+        if store is None or machine.store is not store:
+            held, store = condition(_with(world, tick.ship, machine)), machine.store
+        found.append(held)
+    return found
+
+
+def _with(world: World, ship: int, machine: Machine) -> World:
+    """The world with the program of a ship as it is at a point of its tick."""
+    f, slot = world.flight_of(ship), world.slot_of(ship)
     assert isinstance(f.entity, Ship)
     told = flight(f.since, evolve(f.entity, program=machine), f.bounced_off, f.next_tick, f.path)
     return replaced(world, world.clock, ((slot, told),), (), ())

@@ -17,24 +17,24 @@ from bisect import bisect_left
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
-from math import inf
 from typing import Final, Literal, NamedTuple, TypeAlias
 
 from attrs import evolve, field, frozen
 from pyrsistent import PMap, PVector, pmap, pvector
 
+from fasteroids.entities import Ship, id_of
 from fasteroids.events import Happened
 from fasteroids.history import Cut, Lived, Place, Timeline
-from fasteroids.history.changes import motion, value_of
+from fasteroids.history.changes import ABSENT, motion
 from fasteroids.history.living import What, cuts_decide
 from fasteroids.history.marks import kinds_of, who
-from fasteroids.state import World
+from fasteroids.state import Flight, World
 
 __all__ = ["FIELDS", "Chronicle", "Entry", "Key", "Sign", "chronicle_of"]
 
-Sign: TypeAlias = Literal["event", "death", "stop", "shot", "contact", "input"]
-"""What a mark stands for. `event` is all that happened, inputs included; a `stop` is the last tick of
-a program, as it ended or halted."""
+Sign: TypeAlias = Literal["event", "loss", "death", "stop", "shot", "contact", "input"]
+"""What a mark stands for. `event` is all that happened, inputs included; a `loss` is the death of a ship; a `stop` is
+the last tick of a program, as it ended or halted."""
 
 FIELDS: Final = ("velocity", "direction", "thruster", "bounced", "flight")
 """The fields whose changes are kept, in the sense of `fasteroids.history.last_change`."""
@@ -115,6 +115,8 @@ def _keys(before: World, state: Lived) -> Iterator[Key]:
     for sign in ("death", "shot", "contact", "input"):
         if sign in kinds:
             yield sign
+    if "death" in kinds and any(_is_ship(before, entity) for entity in state.died):
+        yield "loss"
     if isinstance(what, Happened):
         if what.kind == "tick" and _stopped(state.world, what.entities[0]):
             yield "stop"
@@ -124,10 +126,21 @@ def _keys(before: World, state: Lived) -> Iterator[Key]:
     about = dict.fromkeys(who(state))
     yield from about
     if cuts_decide(state.world):  # each happening is a cut, which changes each ship that thrusts
-        about |= dict.fromkeys(ship.id for ship in state.world.ships if ship.id is not None)
+        about |= dict.fromkeys(_thrusting(before))
     for entity in about:
         for name in _changed(before, state.world, entity):
             yield entity, name
+
+
+def _is_ship(world: World, entity: int) -> bool:
+    f = _flight(world, entity)
+    return f is not None and isinstance(f.entity, Ship)
+
+
+def _thrusting(world: World) -> Iterator[int]:
+    for f in world.flights:
+        if f is not None and isinstance(f.entity, Ship) and f.entity.thruster:
+            yield id_of(f.entity)
 
 
 def _stopped(world: World, ship: int) -> bool:
@@ -137,15 +150,20 @@ def _stopped(world: World, ship: int) -> bool:
 
 def _changed(before: World, after: World, entity: int) -> Iterator[str]:
     """The fields of an entity that have another value after than before."""
-    f, g = (world.flight_of(entity) if entity in world else None for world in (before, after))
+    f, g = _flight(before, entity), _flight(after, entity)
     if f is g:
         return
-    for name in FIELDS:
-        if name == "flight":
-            if f is None or g is None or motion(f) != motion(g):
-                yield name
-        elif value_of(before, entity, name) != value_of(after, entity, name):
+    old, new = f and f.entity, g and g.entity
+    for name in FIELDS[:-1]:
+        if getattr(old, name, ABSENT) != getattr(new, name, ABSENT):
             yield name
+    if f is None or g is None or motion(f) != motion(g):
+        yield "flight"
+
+
+def _flight(world: World, entity: int) -> Flight | None:
+    slot = world.roster.slots.get(entity)
+    return None if slot is None else world.flights[slot]
 
 
 @frozen(eq=False)
@@ -158,8 +176,6 @@ class Chronicle:
     first: Lived
     name: str
     tracks: PMap[str, Track]
-    end: Place
-    """How far time has come, after all that happened."""
 
     def followed(self, timeline: Timeline) -> Chronicle:
         """Of a timeline that grew, branched, was switched or thinned since. Of any other it is made anew."""
@@ -174,8 +190,7 @@ class Chronicle:
             return chronicle_of(timeline)
         track = tracks[name]
         track = track.extended(timeline.forwards(track.last.place))
-        now = Place(*timeline.world.now, inf)  # type: ignore[arg-type]  # after all of that moment
-        return Chronicle(self.first, name, tracks.set(name, track), now)
+        return Chronicle(self.first, name, tracks.set(name, track))
 
     def entries(self, key: Key) -> Sequence[Entry]:
         """All entries under a key, in order."""
@@ -231,5 +246,5 @@ def chronicle_of(timeline: Timeline) -> Chronicle:
     first, oldest = timeline.first, timeline.line
     while oldest.parent is not None:
         oldest = timeline.lines[oldest.parent]
-    nothing = Chronicle(first, oldest.name, pmap({oldest.name: Track(first)}), first.place)
+    nothing = Chronicle(first, oldest.name, pmap({oldest.name: Track(first)}))
     return nothing.followed(timeline)

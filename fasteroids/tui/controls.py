@@ -68,7 +68,7 @@ class Hand:
 
     `left`, `right`: is the key down (mode `held`)? `thrust`: is the thruster to be on? `told`: is it on, as far as the
     ship was told? `turn` rad and `shots` are still to be given. `before`: what the thruster was to be before the last
-    press of its key. `since`: seconds since each key was last pressed.
+    press of its key. `since`: the user's seconds since each key was last pressed.
     """
 
     left: bool = False
@@ -193,33 +193,40 @@ def synced(hands: Hands, player: Literal[1, 2], thruster: bool) -> Hands:
     return _with(hands, player, evolve(hand, told=thruster, thrust=wanted, before=wanted))
 
 
-def acted(hands: Hands, elapsed: float) -> tuple[Hands, tuple[tuple[Literal[1, 2], Action], ...]]:
+def acted(
+    hands: Hands, elapsed: float, *, speed: float = 1.0
+) -> tuple[Hands, tuple[tuple[Literal[1, 2], Action], ...]]:
     """What the players' ships are told now, `elapsed` seconds after the last time, and the hands after it.
 
-    For each player, in this order: a turn, the thruster if it changes, shots. A time that is negative or not finite
-    counts as none. Cutting the same time into more calls turns a ship by the same angle.
+    For each player, in this order: a turn, the thruster if it changes, shots. `speed` is how much time passes in the
+    game meanwhile, per second: a held key turns a ship in the game's time, while keys repeat in that of the user.
+    Either that is negative or not finite counts as 0. The same time cut into more calls turns a ship by the same angle.
     """
-    elapsed = elapsed if isfinite(elapsed) and elapsed > 0 else 0.0
-    one, first = _acted(hands.one, elapsed)
-    two, second = _acted(hands.two, elapsed)
+    elapsed, speed = _sound(elapsed), _sound(speed)
+    one, first = _acted(hands.one, elapsed, speed)
+    two, second = _acted(hands.two, elapsed, speed)
     told: list[tuple[Literal[1, 2], Action]] = [(1, action) for action in first]
     told += [(2, action) for action in second]
     return Hands(hands.mode, one, two), tuple(told)
 
 
-def _acted(hand: Hand, elapsed: float) -> tuple[Hand, list[Action]]:
-    angle = hand.turn + (hand.left - hand.right) * TURN_RATE * elapsed
+def _sound(number: float) -> float:
+    return number if isfinite(number) and number > 0 else 0.0
+
+
+def _acted(hand: Hand, elapsed: float, speed: float) -> tuple[Hand, list[Action]]:
+    angle = hand.turn + (hand.left - hand.right) * TURN_RATE * elapsed * speed
     actions: list[Action] = [Turn(angle)] if angle and isfinite(angle) else []
     if hand.thrust != hand.told:
         actions.append(Thrust() if hand.thrust else ThrustOff())
     actions += [Fire()] * hand.shots
-    since = tuple((command, age + elapsed) for command, age in hand.since)
+    ages = ((command, age + elapsed) for command, age in hand.since)
     after = Hand(
         hand.left,
         hand.right,
         hand.thrust,
         told=hand.thrust,
         before=hand.before,
-        since=tuple((command, age) for command, age in since if age < REPEAT_DELAY),
+        since=tuple((command, age) for command, age in ages if age < REPEAT_DELAY),
     )
     return after, actions

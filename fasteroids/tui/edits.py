@@ -12,7 +12,9 @@ impossible, and whatever the edited ship itself was told.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Generator, Iterable, Iterator, Sequence
+from heapq import merge
+from typing import Final, TypeAlias
 
 from attrs import evolve, frozen
 
@@ -24,6 +26,7 @@ from fasteroids.history import (
     Cut,
     Input,
     Instruct,
+    Lived,
     Parted,
     Place,
     Remove,
@@ -35,10 +38,18 @@ from fasteroids.history import (
 from fasteroids.history.living import cuts_decide
 from fasteroids.history.marks import wanted
 from fasteroids.lang import Diagnostic, check_program, parse_program
-from fasteroids.moments import Clock, clock_at
+from fasteroids.moments import Clock, advanced, between, clock_at
 from fasteroids.units import ModelError
 
-__all__ = ["Edited", "LeftOut", "edited"]
+__all__ = ["Edited", "LeftOut", "edited", "editing"]
+
+
+_PIECE: Final = 1.0
+"""Seconds of the game that are lived at once, if that gives no more than `_MOST_PIECES`."""
+
+_MOST_PIECES: Final = 200
+
+_LAST: Final = 2**63  # comes after all that happens at a moment
 
 
 @frozen
@@ -77,16 +88,22 @@ def edited(
     """The timeline with a branch at a time or place in which a ship runs an edited program from its beginning.
 
     It goes as far as the old line did, or up to `until` (s) if that is sooner. All its diagnostics if the text is no
-    program without errors; then there is no branch. It takes as long as that future takes to live. `ModelError` if
-    there is no such ship then, or as `Timeline.branch`.
+    program without errors; then there is no branch. It takes as long as that future takes to live: see `editing`.
+    `ModelError` if there is no such ship then, or as `Timeline.branch`.
     """
     checked = check_program(parse_program(text))
     if checked.program is None:
         return checked.diagnostics
-    return instructed_at(timeline, ship, checked.program, at, until=until, name=name)
+    work = editing(timeline, ship, checked.program, at, until=until, name=name)
+    while True:
+        try:
+            next(work)
+        except StopIteration as stop:
+            result: Edited = stop.value
+            return result
 
 
-def instructed_at(
+def editing(
     timeline: Timeline,
     ship: int,
     program: Program,
@@ -94,60 +111,116 @@ def instructed_at(
     *,
     until: float | None = None,
     name: str | None = None,
-) -> Edited:
-    """As `edited`, with a program that is ready to run."""
+) -> Generator[float, None, Edited]:
+    """As `edited` with a checked program, in pieces: yields the time it has come to, and returns what it came to.
+
+    A piece is a second of the game, or a 200th of all if that is more; or under literal thrust, where no more cuts may
+    be made than there were, up to the next of those. Whoever shows a screen can so stay awake, and give up in between.
+    """
     fork = timeline.branch(at, name)
-    start, end = fork.last.place, timeline.world.clock
-    if until is not None:
-        end = max(min(clock_at(until), end), fork.world.clock)
-    again = _Again(fork.instruct(ship, program), ship, fork.world.roster.next_id)
+    start, last, clock = fork.last.place, timeline.last, timeline.world.clock
+    piece = max(_PIECE, between(start.moment, clock[:2]) / _MOST_PIECES)
+    again = _Again(fork.instruct(ship, program), ship, fork.world.roster.next_id, piece)
+    whole = isinstance(last.what, Cut)  # else it ends between two happenings, or with an input
+    if until is not None and clock_at(until) < clock:
+        clock, whole = max(clock_at(until), fork.world.clock), True
+    end = Place(*clock[:2], _LAST) if whole else last.place
     for place, what, born in _inputs(timeline, start, end):
-        again.give(place, what, born)
-    again.reach(end)
+        if isinstance(what, Cut):
+            again.cut(what.clock)
+            yield place.time
+        else:
+            yield from again.reached(place)
+            again.give(place, what, born)
+    yield from again.reached(end)
+    if whole and again.timeline.world.clock != clock:
+        again.cut(clock)
     parted = first_difference(again.timeline, timeline.name, again.timeline.name, by=outwardly)
     return Edited(again.timeline, timeline.name, again.given, tuple(again.left_out), parted)
 
 
-def _inputs(
-    timeline: Timeline, start: Place, end: Clock
-) -> Iterator[tuple[Place, Input, tuple[int, ...]]]:
-    """The inputs after a place, and the ids that each brought. Cuts are among them where they decide."""
+_Given: TypeAlias = tuple[Place, Input, tuple[int, ...]]
+"""An input, the place before it, and the ids that it brought."""
+
+
+def _inputs(timeline: Timeline, start: Place, end: Place) -> Iterator[_Given]:
+    """The inputs after a place up to another, each with its own place, before it, and the ids that it brought.
+
+    Cuts are among them where they decide.
+    """
     cuts = cuts_decide(timeline.world)
-    for state in timeline.forwards(start, None if cuts else wanted("input")):
-        if state.place.moment > end[:2]:
+    told = _told(timeline.forwards(start, None if cuts else wanted("input")), cuts=cuts)
+    for given in merge(told, _forks(timeline, start) if cuts else (), key=lambda given: given[0]):
+        if given[0] >= end:
             return
-        if isinstance(state.what, Told):
-            yield state.place, state.what.what, state.what.born
-        elif cuts and isinstance(state.what, Cut):
-            yield state.place, state.what, ()
+        yield given
+
+
+def _told(states: Iterable[Lived], *, cuts: bool) -> Iterator[_Given]:
+    for place, what, _ in states:
+        if isinstance(what, Told):
+            yield place._replace(nth=place.nth - 1), what.what, what.born
+        elif cuts and isinstance(what, Cut):
+            yield Place(*what.clock[:2]), what, ()
+
+
+def _forks(timeline: Timeline, start: Place) -> Sequence[_Given]:
+    """Where the lines of a past branched off between two happenings: a look there is a cut."""
+    line, found = timeline.line, []
+    while line.parent is not None:
+        place, _, world = line.first
+        if place.nth == 0 and place > start:
+            found.append((place, Cut(world.clock), ()))
+        line = timeline.lines[line.parent]
+    return found[::-1]
 
 
 class _Again:
-    """The new line as it grows. Mutable, and gone when it is done."""
+    """The new line as it grows. Mutable, and gone when it is done.
 
-    def __init__(self, timeline: Timeline, ship: int, next_id: int) -> None:
+    `_shift`: at a moment it has so many inputs more than the old line; one where it begins, fewer where some are left
+    out.
+    """
+
+    def __init__(self, timeline: Timeline, ship: int, next_id: int, piece: float) -> None:
         self.timeline = timeline
         self.given = 0
         self.left_out: list[LeftOut] = []
         self._ship = ship
+        self._piece = piece
+        self._shift = timeline.last.place.moment, 1
         self._common = next_id
         self._ids: dict[int, int] = {}
 
-    def reach(self, clock: Clock) -> None:
-        """Time goes on up to a clock, if it has not come there yet."""
-        if clock[:2] > self.timeline.world.now:
+    def reached(self, place: Place) -> Iterator[float]:
+        """Time goes on up to a place of the old line, in pieces; the time after each."""
+        moment, more = self._shift
+        if place.moment == moment:
+            place = place._replace(nth=max(place.nth + more, 0))
+        while not cuts_decide(self.timeline.world):
+            piece = advanced(self.timeline.world.clock, self._piece)
+            if piece[:2] >= place.moment:
+                break
+            self.cut(piece)
+            yield self.timeline.world.time
+        self.timeline = self.timeline.reach(place)
+        yield self.timeline.world.time
+
+    def cut(self, clock: Clock) -> None:
+        """Time goes on up to a clock, and all that is due then happens."""
+        if clock[:2] >= self.timeline.world.now:
             self.timeline = self.timeline.take(Cut(clock))
 
-    def give(self, place: Place, what: Input, born: tuple[int, ...]) -> None:
-        """An input at its time, if it makes sense."""
-        if isinstance(what, Cut):
-            self.reach(what.clock)
-            return
-        self.reach((*place.moment, 0.0))
+    def give(
+        self, place: Place, what: Act | Instruct | Add | Remove, born: tuple[int, ...]
+    ) -> None:
+        """An input, now, if it makes sense."""
         try:
             self.timeline = self.timeline.take(self._translated(what))
         except ModelError as error:
             self.left_out.append(LeftOut(place, what, str(error)))
+            moment, more = self._shift
+            self._shift = place.moment, (more if place.moment == moment else 0) - 1
             return
         self.given += 1
         if isinstance(what, Add):

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from textual import events
+from textual import constants, events
 from textual.driver import Driver
 
 __all__ = ["Chosen", "KeyAgain", "KeyUp", "KeyboardReport", "chosen_driver"]
@@ -65,7 +65,14 @@ class Chosen(NamedTuple):
 
 
 def chosen_driver() -> Chosen:
-    """The driver that reads keys that go up, if this system and this version of Textual allow one. Never raises."""
+    """The driver that reads keys that go up, if this system and this version of Textual allow one. Never raises.
+
+    Where the environment names a driver (as in a browser) or switches the protocol off, it is left at that.
+    """
+    if constants.DRIVER is not None:
+        return Chosen(None, "keys that go up are not read: TEXTUAL_DRIVER names another driver")
+    if constants.DISABLE_KITTY_KEY:
+        return Chosen(None, "keys that go up are not read: TEXTUAL_DISABLE_KITTY_KEY is set")
     try:
         from fasteroids.tui import kitty
 

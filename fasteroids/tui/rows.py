@@ -6,10 +6,11 @@ pane still says the same, as no row tells by its style alone what its text does 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from enum import IntEnum
 from textwrap import wrap
-from typing import NamedTuple, TypeAlias
+from typing import Final, NamedTuple, TypeAlias
 
 from fasteroids.history import Place
 from fasteroids.lang.report import cells, legible
@@ -58,7 +59,7 @@ def row(width: int, *pieces: Piece, place: Place | None = None) -> Row:
         if style and len(text) > start:
             runs.append((start, len(text), int(style)))
     fit = fitted(text, width)
-    end = len(fit) if fit.startswith(text) else len(fit) - 1  # a sign of the cut has no style
+    end = len(fit) if fit.startswith(text) else fit.rfind(">")  # the sign of a cut has no style
     kept = tuple((a, min(b, end), style) for a, b, style in runs if a < end)
     return Row(fit, kept, place)
 
@@ -94,9 +95,15 @@ def paragraph(
     width: int, sentence: str, style: Style = Style.PLAIN, *, place: Place | None = None
 ) -> Iterator[Row]:
     """A sentence on as many rows as it needs, each of which leads to the place."""
-    lines = wrap(legible(sentence), max(width, 1), subsequent_indent="  " if width > 10 else "")
-    for line in lines:
-        yield row(width, (line, style), place=place)
+    bound = _UNIT.sub(lambda found: found[0].replace(" ", _BOND), legible(sentence))
+    indent = "  " if width > _WIDE else ""
+    for line in wrap(bound, max(width, 1), subsequent_indent=indent):
+        yield row(width, (line.replace(_BOND, " "), style), place=place)
+
+
+_UNIT: Final = re.compile(r"\d s\b")
+_BOND: Final = "\x00"  # stands for a blank at which no row ends; legible text has none
+_WIDE: Final = 10
 
 
 def clock(time: float) -> str:

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Mapping
-from math import ceil, isfinite
+from math import ceil, inf, isfinite, nextafter
 from typing import Final, Literal
 
 from attrs import frozen
@@ -25,17 +25,21 @@ from fasteroids.units import ModelError, shown
 
 __all__ = ["LEGEND", "Mark", "Stretch", "Strip", "strip", "whole"]
 
-Mark = Literal["cursor", "death", "stop", "bookmark", "branch", "shot", "contact", "input"]
-"""What a column can show, the weightiest first. A `contact` is one of the selected entity."""
+Mark = Literal[
+    "cursor", "loss", "stop", "bookmark", "branch", "contact", "death", "shot", "input"
+]  # fmt: skip
+"""What a column can show, the weightiest first. A `loss` is the death of a ship, a `contact` one
+of the selected entity."""
 
 _LOOKS: Final[Mapping[Mark, tuple[str, str, Style]]] = {
     "cursor": ("|", "┃", Style.CURSOR),
-    "death": ("X", "✗", Style.BAD),
+    "loss": ("X", "✗", Style.BAD),
     "stop": ("!", "!", Style.WARNING),
     "bookmark": ("B", "⚑", Style.GOOD),
     "branch": ("Y", "┴", Style.GOOD),
-    "shot": ("*", "∗", Style.VALUE),
     "contact": ("o", "○", Style.LINK),
+    "death": ("x", "⨯", Style.WARNING),
+    "shot": ("*", "∗", Style.VALUE),
     "input": ("i", "▴", Style.CHANGED),
 }
 _SHADES: Final = (" .:-=", " ▁▂▃▄")
@@ -219,7 +223,7 @@ def _merged(given: Row) -> Row:
 def _edges(stretch: Stretch, columns: int) -> list[Place]:
     """The places between the columns: right before all that happens at a time."""
     firsts = [Place(*moment_at(_edge(stretch, columns, k))) for k in range(columns)]
-    return [*firsts, past_all_at(stretch.end)]
+    return [*firsts, past_all_at(nextafter(stretch.end, inf))]  # an end may be rounded
 
 
 def _shades(chronicle: Chronicle, stretch: Stretch, columns: int) -> list[int]:
@@ -240,7 +244,8 @@ def _marks(
         if stretch.start <= place.time <= stretch.end:
             found.setdefault(_column(stretch, columns, place.time), (mark, place))
 
-    keys: dict[Mark, Key] = {"death": "death", "stop": "stop", "shot": "shot", "input": "input"}
+    keys: dict[Mark, Key] = {"loss": "loss", "stop": "stop", "death": "death"}
+    keys |= {"shot": "shot", "input": "input"}
     if selected is not None:
         keys["contact"] = selected, "contact"
     edges, ends = _edges(stretch, columns), _lines(timeline)
@@ -261,11 +266,12 @@ def _marks(
 
 
 _NEVER: Final = Place(-1, 0.0)
+_LAST: Final = 2**63  # comes after all that happens at a moment
 
 
 def _lines(timeline: Timeline) -> dict[str, Place]:
     """The lines that the past of this one is made of, and up to which place each is part of it."""
-    line, found = timeline.line, {timeline.name: past_all_at(timeline.world.time)}
+    line, found = timeline.line, {timeline.name: Place(*timeline.world.now, _LAST)}
     while line.parent is not None:
         found[line.parent] = line.first.place
         line = timeline.lines[line.parent]

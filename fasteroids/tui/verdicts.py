@@ -19,6 +19,7 @@ from fasteroids.entities import id_of
 from fasteroids.events import Happened
 from fasteroids.history import (
     ABSENT,
+    Changed,
     Course,
     Death,
     Deed,
@@ -36,19 +37,19 @@ from fasteroids.lang.machine.values import shown as value_shown
 from fasteroids.moments import Moment, between, later
 from fasteroids.state import Flight, World, describe, located
 from fasteroids.tui.rows import Row, Style, clock, filled, paragraph, row
-from fasteroids.tui.words import happened, number
+from fasteroids.tui.words import called, happened, number
 
 __all__ = [
     "DeathTold",
-    "Point",
     "Way",
+    "change_rows",
     "death_of",
     "death_rows",
     "diff_rows",
     "difference_rows",
 ]
 
-Point: TypeAlias = tuple[float, float]
+_Point: TypeAlias = tuple[float, float]
 """(x, y), km."""
 
 _PIECES: Final = 24
@@ -59,7 +60,7 @@ class Way(NamedTuple):
     """How an entity flew: a line through points, in order; one point if it took no time."""
 
     id: int
-    points: tuple[Point, ...]
+    points: tuple[_Point, ...]
 
 
 @frozen
@@ -103,7 +104,7 @@ def _way(world: World, course: Course, start: Moment, end: Moment) -> Way:
     return Way(entity, tuple(dict.fromkeys((*inner, _at(f, end)))))
 
 
-def _at(f: Flight, moment: Moment) -> Point:
+def _at(f: Flight, moment: Moment) -> _Point:
     return located(f, moment).position
 
 
@@ -159,6 +160,27 @@ def _when(deed: Deed) -> str:
     line = f", line {span.line} of its program" if span is not None else ""
     hand = ", by hand" if isinstance(what, Told) else ""
     return f" at {clock(deed.state.place.time)} s{line}{hand}"
+
+
+# Changes.
+
+
+def change_rows(changed: Changed | None, world: World, width: int) -> tuple[Row, ...]:
+    """A change that `fasteroids.history.last_change` found: from what to what, when, by what; or that there was none.
+
+    `world` is for the names of others.
+    """
+    if changed is None:
+        return (row(width, ("it never changed", Style.DIM)),)
+    place = changed.state.place
+    name = changed.field.removeprefix("program.")
+    values = f"{_value(changed.old)} to {_value(changed.new)}"
+    cause = happened(changed.state.what, changed.entity, world)
+    head = f"{called(world, changed.entity)}: {name} from {values}"
+    return (
+        *paragraph(width, head, Style.VALUE, place=place),
+        *paragraph(width, f"at {clock(place.time)} s: {cause}", place=place),
+    )
 
 
 # Differences.

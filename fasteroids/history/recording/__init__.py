@@ -30,6 +30,7 @@ from fasteroids.history.recording.reading import read as read
 from fasteroids.history.recording.verifying import Difference as Difference
 from fasteroids.history.recording.verifying import Verified as Verified
 from fasteroids.history.recording.verifying import differing as differing
+from fasteroids.history.recording.verifying import parting as parting
 from fasteroids.history.recording.verifying import verified as verified
 from fasteroids.history.recording.writing import Recorder as Recorder
 from fasteroids.history.recording.writing import headed as headed
@@ -52,6 +53,7 @@ __all__ = [
     "Verified",
     "differing",
     "headed",
+    "parting",
     "read",
     "record_of",
     "time_of",

@@ -10,15 +10,16 @@ import zlib
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, Final
 
-from attrs import frozen
+from attrs import evolve, frozen
 
-from fasteroids.history.inputs import Given
+from fasteroids.history.inputs import Cut, Given, Place
 from fasteroids.history.living import Lived, Past, beginning, cuts_decide, relived
 from fasteroids.history.recording.errors import RecordingError
 from fasteroids.history.recording.events import line
 from fasteroids.history.recording.lines import (
     Bookmark,
     Entered,
+    Event,
     Header,
     Line,
     Result,
@@ -102,7 +103,7 @@ class Recording:
         for i in range(len(self.lines) - 1, -1, -1):
             snapshot = self.lines[i]
             if isinstance(snapshot, Snapshot) and snapshot.moment <= until[:2]:
-                begun, rest = beginning(self._opened(snapshot, i + 2)), self.lines[i:]
+                begun, rest = self._begun(snapshot, i), self.lines[i:]
                 break
         givens = (each.given for each in rest if isinstance(each, Entered))
         past = self.lived(begun, givens, until)
@@ -125,16 +126,24 @@ class Recording:
                 reached: Lived = stop.value
                 return reached
             if end is not None and state.place > end:
-                return last
+                # In the middle of a moment: only what rounding left on the clock is still to come.
+                return last._replace(world=evolve(last.world, clock=until))
             last = state
             yield last
 
-    def _opened(self, snapshot: Snapshot, number: int) -> World:
+    def _begun(self, snapshot: Snapshot, index: int) -> Lived:
+        """The state that a snapshot, the line of this index, tells: after as much as happened at its moment."""
         try:
             world: World = told(lambda: world_of(snapshot.world, read=reader(self.texts)))
         except RecordingError as error:
-            raise RecordingError(f'"world": {error}', number) from None
-        return world
+            raise RecordingError(f'"world": {error}', index + 2) from None
+        nth = 0
+        for each in reversed(self.lines[:index]):
+            if each.moment != snapshot.moment and not isinstance(each, Bookmark):
+                break
+            cut = isinstance(each, Entered) and isinstance(each.given.what, Cut)
+            nth += isinstance(each, Event | Entered) and not cut
+        return Lived(Place(*snapshot.moment, nth), None, world)
 
     def rewritten(self) -> Iterator[str]:
         """Its lines, each with its end, as a writer would write them, unknown fields kept. Places in them move."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Generator, Iterator, Mapping
 from heapq import merge
 from itertools import zip_longest
 from math import floor, inf
@@ -15,13 +15,24 @@ from fasteroids.history.inputs import Cut, Given, Place
 from fasteroids.history.living import beginning
 from fasteroids.history.recording.digests import libm
 from fasteroids.history.recording.events import line as text_of
-from fasteroids.history.recording.lines import Bookmark, Line, record_of, time_of
+from fasteroids.history.recording.lines import (
+    Bookmark,
+    Entered,
+    Event,
+    Hash,
+    Line,
+    Print,
+    Result,
+    Snapshot,
+    record_of,
+    time_of,
+)
 from fasteroids.history.recording.reading import Recording
 from fasteroids.history.recording.writing import Recorder
 from fasteroids.moments import clock_at
 from fasteroids.units import ModelError, shown
 
-__all__ = ["Difference", "Verified", "differing", "verified"]
+__all__ = ["Difference", "Verified", "differing", "parting", "verified", "verifying"]
 
 _MOST_SLICES: Final = 2**24
 
@@ -77,6 +88,19 @@ def verified(recording: Recording, *, slice: float | None = None) -> Verified:
     `slice` cuts time at each multiple of so many seconds, which changes nothing where cuts are free. `ModelError`
     where they are recorded, or if it is no time above 0 or gives more than 2^24 cuts.
     """
+    steps = verifying(recording, slice=slice)
+    while True:
+        try:
+            next(steps)
+        except StopIteration as stop:
+            result: Verified = stop.value
+            return result
+
+
+def verifying(
+    recording: Recording, *, slice: float | None = None
+) -> Generator[float, None, Verified]:
+    """As `verified`, step by step: the time (s) of each line that was compared, then what came of all."""
     givens = iter(recording.givens) if slice is None else _sliced(recording, slice)
     again = _again(recording, givens)
     until, compared, difference = recording.world.time, 1, None
@@ -86,6 +110,7 @@ def verified(recording: Recording, *, slice: float | None = None) -> Verified:
             if difference is not None:
                 break
             until = time_of(line)
+            yield until
         compared += 1
     return Verified(difference, until, compared, recording.short, recording.header.libm == libm())
 
@@ -158,7 +183,20 @@ def differing(a: Recording, b: Recording) -> Difference | None:
     """
     if (difference := _worlds(1, a.world.time, a.header.world, b.header.world)) is not None:
         return difference
-    for each, other in zip_longest(_numbered(a), _numbered(b)):
+    return _parted(a, b, (Entered, Event, Print, Snapshot, Hash, Result))
+
+
+def parting(a: Recording, b: Recording) -> Difference | None:
+    """The first difference in what happened or was done: however the two began, and whatever programs were flown.
+
+    Where it lies, two games that began differently part for those who watch. Else as `differing`.
+    """
+    return _parted(a, b, (Entered, Event, Print))
+
+
+def _parted(a: Recording, b: Recording, kinds: tuple[type[Line], ...]) -> Difference | None:
+    """The first difference of their lines of some kinds."""
+    for each, other in zip_longest(_numbered(a, kinds), _numbered(b, kinds)):
         if each is None or other is None:
             if (a if each is None else b).short is not None:
                 return None
@@ -173,10 +211,10 @@ def differing(a: Recording, b: Recording) -> Difference | None:
     return None
 
 
-def _numbered(recording: Recording) -> Iterator[tuple[int, Line]]:
-    """The lines after the header with their numbers, without bookmarks."""
+def _numbered(recording: Recording, kinds: tuple[type[Line], ...]) -> Iterator[tuple[int, Line]]:
+    """The lines of some kinds after the header, with their numbers."""
     for number, line in enumerate(recording.lines, 2):
-        if not isinstance(line, Bookmark):
+        if isinstance(line, kinds):
             yield number, line
 
 

@@ -98,7 +98,7 @@ def known_keys() -> tuple[str, ...]:
 def key_of(text: str) -> str:
     """The name of a key as Textual says it, from what people write: `"?"`, `"Ctrl+Q"`, `"Esc"`, `"shift+a"` (`A`).
 
-    Case counts in a single letter only. `ModelError` if there is no such key.
+    Case counts in a letter without modifiers only. `ModelError` if there is no such key.
     """
     *parts, base = _parts(text)
     modifiers = set()
@@ -108,9 +108,10 @@ def key_of(text: str) -> str:
             raise ModelError(f"there is no modifier {part.strip()!r}; there are alt, ctrl, shift")
         modifiers.add(modifier)
     key = _base(base, text)
-    if "shift" in modifiers and len(key) == 1 and len(key.upper()) == 1 and key.upper() != key:
-        modifiers.remove("shift")
-        key = key.upper()
+    if len(key) == 1 and modifiers == {"shift"} and len(key.upper()) == 1:
+        return key.upper()
+    if len(key) == 1 and modifiers and len(key.lower()) == 1:
+        key = key.lower()
     return "+".join([*sorted(modifiers), key])
 
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import os
+import signal
 import subprocess
 import sys
+import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -13,6 +15,8 @@ import pytest
 from click.testing import CliRunner, Result
 
 from fasteroids.cli import main
+
+PATIENCE = 60.0  # s; far more than any of these takes
 
 SCENE = """
 [world]
@@ -93,6 +97,15 @@ def call() -> Callable[..., Result]:
 
 
 @pytest.fixture
+def recording(call: Callable[..., Result], tmp_path: Path) -> str:
+    """A recording of 20 s of two ships that shoot at each other and at asteroids, with two snapshots."""
+    path = tmp_path / "duel.jsonl"
+    shown = call("record", "one-on-one", "--bots", "turret,turret", "--seed", "5", "-o", str(path))
+    assert shown.exit_code == 0, shown.stderr
+    return str(path)
+
+
+@pytest.fixture
 def spawn() -> Iterator[Callable[..., subprocess.Popen[bytes]]]:
     """Start the command line in a process of its own, its output in pipes."""
     started: list[subprocess.Popen[bytes]] = []
@@ -111,3 +124,32 @@ def spawn() -> Iterator[Callable[..., subprocess.Popen[bytes]]]:
         for stream in (process.stdout, process.stderr):
             if stream is not None:
                 stream.close()
+
+
+def on_terminal(*args: str, narrate: bool = False) -> tuple[bytes, bytes]:
+    """What a command writes to a terminal that is its standard error, and to its standard output.
+
+    Ctrl-C is pressed when it shows how many events a second there are.
+    """
+    pty = pytest.importorskip("pty")
+    leader, follower = pty.openpty()
+    process = subprocess.Popen(
+        [sys.executable, "-m", "fasteroids", *args],
+        stdout=follower if narrate else subprocess.PIPE, stderr=follower, stdin=subprocess.DEVNULL,
+        env={**os.environ, "TERM": "xterm", "COLUMNS": "100", "NO_COLOR": "1"},
+    )  # fmt: skip
+    os.close(follower)
+    seen, pressed = b"", False
+    deadline = time.monotonic() + PATIENCE
+    while time.monotonic() < deadline:
+        try:
+            piece = os.read(leader, 65536)
+        except OSError:  # the other end is closed
+            break
+        seen += piece
+        if b"events/s" in seen and process.poll() is None and not pressed:
+            process.send_signal(signal.SIGINT)
+            pressed = True
+    told, _ = process.communicate(timeout=PATIENCE)
+    os.close(leader)
+    return seen, told or b""

@@ -38,6 +38,10 @@ def test_every_command_has_help(call: Call, name: str) -> None:
         "new": "bot|scene NAME",
         "arena": "FIELD",
         "lsp": "--stdio",
+        "verify": "FILE...",
+        "diff": "A B",
+        "show": "FILE",
+        "export": "FILE",
         "replay": "FILE",
         "serve": "--host",
     }.get(name, "SCENE") in shown.stdout

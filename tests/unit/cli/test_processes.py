@@ -13,10 +13,11 @@ from pathlib import Path
 
 import pytest
 
+from tests.unit.cli.conftest import PATIENCE, on_terminal
+
 Spawn = Callable[..., "subprocess.Popen[bytes]"]
 
 ENDLESS = ["--for", "1e9", "--max-events", "1000000000"]
-PATIENCE = 60.0  # s; far more than any of these takes
 
 
 def size(path: Path) -> int:
@@ -179,33 +180,8 @@ def test_names_in_any_locale(spawn: Spawn, tmp_path: Path) -> None:
 # Terminals.
 
 
-def on_terminal(busy: str, *options: str, narrate: bool = False) -> tuple[bytes, bytes]:
-    """What a run writes to a terminal that is its standard error, and to its standard output."""
-    pty = pytest.importorskip("pty")
-    leader, follower = pty.openpty()
-    process = subprocess.Popen(
-        [sys.executable, "-m", "fasteroids", "run", busy, *options],
-        stdout=follower if narrate else subprocess.PIPE, stderr=follower, stdin=subprocess.DEVNULL,
-        env={**os.environ, "TERM": "xterm", "COLUMNS": "100", "NO_COLOR": "1"},
-    )  # fmt: skip
-    os.close(follower)
-    seen = b""
-    deadline = time.monotonic() + PATIENCE
-    while time.monotonic() < deadline:
-        try:
-            piece = os.read(leader, 65536)
-        except OSError:  # the other end is closed
-            break
-        seen += piece
-        if b"events/s" in seen and process.poll() is None:
-            process.send_signal(signal.SIGINT)
-    told, _ = process.communicate(timeout=PATIENCE)
-    os.close(leader)
-    return seen, told or b""
-
-
 def test_progress_on_a_terminal(busy: str) -> None:
-    seen, told = on_terminal(busy, *ENDLESS, "--json")
+    seen, told = on_terminal("run", busy, *ENDLESS, "--json")
     assert b"events/s" in seen
     assert b"\x1b[3" not in seen  # NO_COLOR
     assert json.loads(told)["stopped"] == "interrupted"
@@ -214,7 +190,7 @@ def test_progress_on_a_terminal(busy: str) -> None:
 @pytest.mark.parametrize("options", [["--quiet"], []])
 def test_no_progress_where_it_disturbs(busy: str, options: list[str]) -> None:
     bounded = ["--for", "1e9", "--max-events", "15000"]
-    seen, _ = on_terminal(busy, *bounded, *options, narrate=not options)
+    seen, _ = on_terminal("run", busy, *bounded, *options, narrate=not options)
     assert b"events/s" not in seen
 
 

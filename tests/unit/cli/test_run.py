@@ -435,7 +435,7 @@ class TestBadScenes:
         assert "line 3" in told
 
     def test_too_long(self, call: Call, command: str, monkeypatch: pytest.MonkeyPatch) -> None:
-        monkeypatch.setattr("fasteroids.cli._files._MOST_BYTES", 10)
+        monkeypatch.setattr("fasteroids.cli._files._MOST_BYTES", {"scene": 10})
         assert "at most 10 bytes" in self.refused(call(command, "-", input="[world]\nwidth = 1\n"))
 
     def test_mark_of_utf8_and_windows_lines_are_fine(

@@ -355,3 +355,16 @@ def test_to_take_a_cut_is_time_going_on_with_all_that_happens() -> None:
     cut, lived = timeline.take(Cut(clock)), timeline.evolve_until(5.0)
     assert list(cut.forwards(cut.first.place)) == list(lived.forwards(lived.first.place))
     assert cut.at(2.0) == lived.at(2.0)
+
+
+def test_to_reach_a_place_lets_happen_what_came_before_it_and_no_more() -> None:
+    whole = begin(arena()).evolve(5.0)
+    for state in whole.forwards(whole.first.place):
+        if not isinstance(state.what, Cut):
+            part = begin(arena()).reach(state.place)
+            assert part.last.place == state.place
+            assert part.world.all_flights() == state.world.all_flights()
+    past = begin(arena()).reach(Place(0, 4.999, 3))
+    assert past.world.clock == (0, 4.999, 0.0)
+    assert past.world == whole.at(4.999)
+    assert past.reach(Place(0, 2.0)).last is past.last

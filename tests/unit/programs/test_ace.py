@@ -10,14 +10,14 @@ from tests.unit.programs.playing import STILL, acted, arena, cleared, end, kille
 EMPTY = [Bullet(x, 760, 1, 0, 3, 1) for x in (100, 200, 300)]
 """Three of its bullets, in flight for long: so it cannot fire."""
 
+BOUNCING = [
+    (Asteroid(322, 394, -40, -170, 25), Asteroid(292, 224, -50, 50, 40)),
+    (Asteroid(672, 414, -100, -160, 25), Asteroid(652, 264, 10, 30, 40)),
+]
+"""The first bounces off the second, and then flies to the ship."""
 
-@pytest.mark.parametrize(
-    ("first", "second"),
-    [
-        (Asteroid(322, 394, -40, -170, 25), Asteroid(292, 224, -50, 50, 40)),
-        (Asteroid(672, 414, -100, -160, 25), Asteroid(652, 264, 10, 30, 40)),
-    ],
-)
+
+@pytest.mark.parametrize(("first", "second"), BOUNCING)
 def test_it_gets_out_of_the_way_before_a_bounce_sends_something_its_way(
     first: Asteroid, second: Asteroid
 ) -> None:
@@ -29,6 +29,18 @@ def test_it_gets_out_of_the_way_before_a_bounce_sends_something_its_way(
     bounce = next(h.time for h in happened if {2, 3} <= set(h.entities))
     assert next(h.time for h in happened if h.effect == "thrust") < bounce
     assert not any(1 in h.died for h in happened)
+
+
+@pytest.mark.parametrize(("first", "second"), BOUNCING)
+def test_it_shoots_where_something_will_be_after_a_bounce_before_that_happens(
+    first: Asteroid, second: Asteroid
+) -> None:
+    happened = log(arena(pilot("ace"), first, second), 3.0)
+    fired = next(h.time for h in happened if h.effect == "fire")
+    bounce = next(h.time for h in happened if {2, 3} <= set(h.entities))
+    killed = killer(happened, 2)
+    assert fired < bounce < killed.time
+    assert killed.entities == (2, 4), "its first bullet is the first thing that came into being"
 
 
 @pytest.mark.parametrize("speed", [60, 120, 200, 400])
@@ -58,8 +70,20 @@ def test_it_thrusts_out_of_the_way_of_what_it_cannot_shoot(vy: float) -> None:
 
 @pytest.mark.parametrize(("radius", "shot"), [(28, True), (32, False)])
 def test_it_lets_be_what_would_leave_children_near_to_it(radius: float, shot: bool) -> None:
-    happened = log(arena(pilot("ace"), Asteroid(640, 384, 0, 0, radius)), 4.0)
+    """The others are big and near too."""
+    others = [
+        Asteroid(512, 224, 0, 0, 35),
+        Asteroid(352, 384, 0, 0, 35),
+        Asteroid(512, 544, 0, 0, 35),
+    ]
+    happened = log(arena(pilot("ace"), Asteroid(640, 384, 0, 0, radius), *others), 4.0)
     assert ("fire" in acted(happened)) is shot
+
+
+@pytest.mark.parametrize("x", [640, 970])
+def test_it_shoots_the_last_one_however_big_and_far(x: float) -> None:
+    happened = log(arena(pilot("ace"), Asteroid(x, 384, 0, 0, 32)), 4.0)
+    assert killer(happened, 2).born
 
 
 def test_a_bullet_is_enough_for_one() -> None:

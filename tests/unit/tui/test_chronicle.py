@@ -11,7 +11,7 @@ from fasteroids.tui.chronicle import FIELDS, Chronicle, Sign, chronicle_of
 from tests.unit.history.pasts import arena, fought, states
 from tests.unit.making import machine, ship, world_of
 
-SIGNS: tuple[Sign, ...] = ("event", "death", "stop", "shot", "contact", "input")
+SIGNS: tuple[Sign, ...] = ("event", "loss", "death", "stop", "shot", "contact", "input")
 
 
 @pytest.fixture(scope="module")
@@ -99,7 +99,7 @@ def test_entries_around_a_place(past: Timeline) -> None:
     assert list(chronicle.until(1, here, 3)) == list(entries[8:11])
     assert list(chronicle.after(1, here, 3)) == list(entries[11:14])
     assert list(chronicle.until(1, Place(0, 0.0), 3)) == []
-    assert list(chronicle.after(1, chronicle.end, 3)) == []
+    assert list(chronicle.after(1, entries[-1].place, 3)) == []
 
 
 def test_a_program_that_halts_or_ends_is_a_stop() -> None:

@@ -11,13 +11,13 @@ from hypothesis import strategies as st
 
 from fasteroids import Fire, ModelError, Ship, World, evolve_until, happenings
 from fasteroids.entities import Entity
-from fasteroids.history import Place, Timeline, begin, diff, first_difference, why
+from fasteroids.history import Place, Timeline, begin, diff, first_difference, last_change, why
 from fasteroids.history.questions import past_all_at
 from fasteroids.lang.report import cells
 from fasteroids.tui.chronicle import Chronicle, chronicle_of
 from fasteroids.tui.inspector import ahead, entity_rows
 from fasteroids.tui.rows import Row, Style
-from fasteroids.tui.verdicts import death_of, death_rows, diff_rows, difference_rows
+from fasteroids.tui.verdicts import change_rows, death_of, death_rows, diff_rows, difference_rows
 from tests.unit.history.pasts import fought, states
 from tests.unit.making import machine, rock, ship, shot, world_of
 
@@ -175,8 +175,8 @@ def test_why_a_ship_died() -> None:
         text(death_rows(told, 76))
         == """\
 ship 'red' died at 6.200 s in a contact with asteroid #2.
-From 1.000 s on it was inevitable: neither flight changed in the last 5.200
-  s.
+From 1.000 s on it was inevitable: neither flight changed in the last
+  5.200 s.
 ship 'red' flew so since the past begins.
 asteroid #2 flew so since 1.000 s: bounced off asteroid #3.
 The last deed of ship 'red': fire at 0.600 s, line 1 of its program."""
@@ -268,3 +268,20 @@ def test_what_does_not_fit_of_a_difference_is_counted(past: Timeline) -> None:
     a, b = past.at(2.0), past.at(11.0)
     rows = diff_rows(a, b, 60, 5)
     assert rows[4].text.strip() == f"and {len(diff(a, b)) - 4} more"
+
+
+def test_what_changed_a_field_and_when(past: Timeline) -> None:
+    timeline = struck()
+    changed = last_change(timeline, 2, "velocity")
+    assert (
+        text(change_rows(changed, timeline.world, 60))
+        == """\
+asteroid #2: velocity from (50, 0) to (-50, 0)
+at 1.000 s: bounced off asteroid #3"""
+    )
+    variable = last_change(past, 1, "program.n")
+    assert variable is not None
+    (head, cause) = change_rows(variable, past.world, 60)
+    assert head.text.startswith("ship 'red': n from 29 to 30")
+    assert head.place == cause.place == variable.state.place
+    assert change_rows(None, past.world, 20)[0].text == "it never changed".ljust(20)

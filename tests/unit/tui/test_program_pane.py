@@ -8,8 +8,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fasteroids import Fire, ModelError, Ship, Turn
+from fasteroids import Fire, ModelError, Ship, Thrust, Turn
 from fasteroids.history import (
+    Act,
     Place,
     Point,
     Timeline,
@@ -24,8 +25,8 @@ from fasteroids.history import (
 )
 from fasteroids.lang import Diagnostic
 from fasteroids.lang.report import cells
-from fasteroids.tui.breakpoints import AtLine, Breakpoint, When, next_break
-from fasteroids.tui.edits import Edited, edited
+from fasteroids.tui.breakpoints import AtLine, Breakpoint, When, last_write, next_break
+from fasteroids.tui.edits import Edited, edited, editing
 from fasteroids.tui.program_pane import machine_of, program_rows
 from fasteroids.tui.rows import Row, Style
 from tests.unit.history.pasts import PILOT, fought
@@ -330,12 +331,12 @@ def test_inputs_of_others_are_given_again_at_their_places(model: str) -> None:
     world = world_of(
         ship(100.0, 100.0, program=machine("skip;")), ship(800.0, 800.0, mass=1e16), model=model
     )
-    timeline = begin(world)
+    timeline = begin(world).act(2, Thrust())
     for i in range(8):
         timeline = timeline.evolve(0.15).act(2, Turn(0.1 * i)).evolve(0.1)
     timeline = timeline.add(rock(500.0, 500.0)).evolve(0.3).remove(3).act(2, Fire()).evolve(1.0)
     outcome = other(edited(timeline, 1, "print 1; skip;", 0.0))
-    assert outcome.given == 11
+    assert outcome.given == 11  # thrust came before
     assert outcome.left_out == ()
     assert outcome.parted is None
     assert outcome.timeline.world[2] == timeline.world[2]
@@ -389,3 +390,48 @@ def test_it_can_be_run_only_up_to_a_time(past: Timeline) -> None:
     outcome = other(edited(past, 1, "skip;", 1.0, until=2.0, name="try"))
     assert outcome.timeline.name == "try"
     assert outcome.timeline.world.time == 2.0
+
+
+def test_an_edit_in_a_branch_may_lie_before_it() -> None:
+    timeline = fought().branch(6.0, "left").act(2, Turn(1.0)).evolve(3.0)
+    outcome = other(edited(timeline, 1, PILOT.replace("turn 0.5", "turn 0.6"), 2.0))
+    assert outcome.old == "left"
+    assert outcome.timeline.line.parent == "main"
+    assert outcome.timeline.world.clock == timeline.world.clock
+    assert [each.what for each in outcome.left_out] == [Act(1, Fire())]
+    assert outcome.given == 1
+    assert outcome.parted is not None
+    assert outcome.parted.time > 2.0
+
+
+def test_the_future_comes_in_pieces_and_can_be_given_up() -> None:
+    timeline = fought("smooth")
+    work = editing(timeline, 2, machine("skip;"), 1.0)
+    assert next(work) == 2.0
+    assert next(work) == 3.0
+    work.close()
+    assert set(timeline.lines) == {"main"}
+
+
+# Who set a variable.
+
+
+def test_the_last_write_of_a_variable_is_the_statement_that_set_it(past: Timeline) -> None:
+    point: Point | None = after(past, at_tick(past, 1, 1.4), 11)
+    assert point is not None
+    values: list[object] = []
+    while (write := last_write(past, "n", point)) is not None:
+        assert write.statement.line == 4
+        following = next_step(past, write)
+        assert following is not None
+        assert following.variables["n"] == point.variables["n"]
+        values.append(following.variables["n"])
+        point = write
+    assert values == [6.0, 5.0, 4.0, 3.0, 2.0, 1.0]
+
+
+def test_a_variable_that_was_never_set_has_no_write(past: Timeline) -> None:
+    timeline = alone("double never; while (true) { skip; }")
+    assert last_write(timeline, "never", at_tick(timeline, 1, 1.0)) is None
+    with pytest.raises(ModelError, match="the program has it, n; got 'm'"):
+        last_write(past, "m", at_tick(past, 1, 1.0))

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fasteroids import ModelError
+from fasteroids import Fire, ModelError
 from fasteroids.history import Timeline, begin
 from fasteroids.lang.report import cells
 from fasteroids.tui.chronicle import Chronicle, chronicle_of
@@ -73,9 +73,10 @@ def test_a_second_row_bares_what_the_cursor_hides() -> None:
 def test_a_click_on_a_mark_leads_to_its_place(past: Timeline, account: Chronicle) -> None:
     shown = strip(account, past, whole(past), 0.0, 80, unicode=False, height=2)
     deaths = [entry.place for entry in account.entries("death")]
+    assert "x" in shown.rows[0].text
     for column, sign in enumerate(shown.rows[0].text):
         place = shown.place_at(column)
-        if sign == "X":
+        if sign == "x":
             assert place in deaths
             assert shown.column_at(place.time) == column
         elif sign in " .:-=":
@@ -169,3 +170,21 @@ def test_no_two_marks_look_alike() -> None:
         signs = [looks[variant] for looks in LEGEND.values()]
         assert len(set(signs)) == len(signs)
         assert not set(signs) & set((" .:-=", " ▁▂▃▄")[variant])
+
+
+def test_a_bookmark_after_all_that_happened_is_shown() -> None:
+    timeline = quiet().bookmark("late", 9.9)
+    assert max(e.place.time for e in chronicle_of(timeline).entries("event")) < 9.0
+    assert "B" in drawn(timeline, 0.0).rows[0].text
+
+
+def test_the_death_of_a_ship_is_told_from_that_of_others() -> None:
+    world = world_of(
+        ship(100.0, 100.0, name="red"),
+        rock(300.0, 100.0, -50.0),
+        ship(100.0, 500.0),
+        rock(500.0, 500.0),
+    )
+    timeline = begin(world).act(3, Fire()).evolve(10.0)
+    row = drawn(timeline, 0.0).rows[0].text
+    assert (row.count("X"), row.count("x")) == (1, 1)

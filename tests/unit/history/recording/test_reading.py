@@ -19,6 +19,7 @@ from fasteroids.history.recording import (
     Recorder,
     Recording,
     RecordingError,
+    Snapshot,
     headed,
     read,
     record_of,
@@ -113,6 +114,28 @@ def test_a_snapshot_that_is_no_world_is_told_with_its_line() -> None:
     told = read(joined([*records[:place], snapshot, *records[place:]]))
     with pytest.raises(RecordingError, match=f'line {place + 1}: "world": .*width: is missing'):
         told.at(clock_at(8.0))
+
+
+def test_a_recording_may_end_between_two_events_of_a_moment_with_a_snapshot_there() -> None:
+    """Six ships whose programs all run at each k / 5 s: it ends after two of them at 11 s."""
+    pilot = machine("while (true) { turn 0.5; }")
+    ships = [ship(100 + 140 * i, 500, program=pilot) for i in range(6)]
+    first, made = world_of(*ships, model="smooth"), list[str]()
+    recorder = Recorder(made.append, first, headed(first, every_snapshot=11.0))
+    states = list(lived(beginning(first), clock_at(20.0)))
+    end = next(i for i, s in enumerate(states) if s.place.time == 11.0 and s.place.nth == 2)
+    for state in states[: end + 1]:
+        recorder.add(state)
+    last = states[end]
+    recorder.finish((*last.place.moment, 0.0), "enough")
+    told = read("".join(made).encode())
+    assert any(
+        isinstance(each, Snapshot) and each.moment == last.place.moment for each in told.lines
+    )
+    assert told.result is not None
+    assert told.result.place == last.place
+    assert told.at(told.until) == last.world
+    assert verified(told).difference is None
 
 
 # Cut short.

@@ -299,3 +299,37 @@ def test_a_whole_ship_goes_through_an_input_line() -> None:
     told = read("".join(line(record) + "\n" for record in records).encode()).givens
     assert [given.what for given in told] == [Add(whole)]
     assert told[0].place == Place(0, 0.0, 0)
+
+
+class Full(io.BytesIO):
+    """A file on a disk that is full for one write, and has room again after that."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.full = False
+
+    def write(self, data: Any) -> int:
+        if self.full:
+            self.full = False
+            raise OSError("no space left on device")
+        return super().write(data)
+
+
+def write_until_full(file: Full, packed: bool) -> None:
+    """A recording of 6 s into a file that is full for one write after 3 s."""
+    world, watch = crowd(model="smooth", seed=3), Watch()
+    with RecordingFile(file, world, clock=watch, packed=packed) as writing:
+        for state in states(world, 6.0):
+            file.full = state.place.time > 3.0
+            watch.time += 1.0
+            writing.add(state)
+
+
+@pytest.mark.parametrize("packed", [False, True])
+def test_nothing_is_written_behind_a_hole(packed: bool) -> None:
+    file = Full()
+    with pytest.raises(OSError, match="no space"):
+        write_until_full(file, packed)
+    told = read(file.getvalue())
+    assert 2.0 < told.time <= 3.0
+    assert told.result is None
