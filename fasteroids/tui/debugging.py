@@ -55,7 +55,9 @@ _ENDED: Final = "the program has come to its end"
 _AT_ONCE: Final = 5
 """Ticks that are looked through at once; a tick of many steps takes some 20 ms."""
 
-_IN_FRONT: Final = -1  # the step in front of all steps of a tick: where the first of them comes next
+_IN_FRONT: Final = (
+    -1
+)  # the step in front of all steps of a tick: where the first of them comes next
 
 
 def flown(session: Session) -> int | None:
@@ -219,9 +221,12 @@ def run(session: Session, direction: Literal[1, -1]) -> Session:
     if start is None and direction < 0:
         return evolve(session, said=_BEGINS)
     if direction > 0 and (start is None or start.tick.place >= _last_tick(session, ship)):
-        found = start and next_break(session.timeline, session.breakpoints, start, 1, ticks=1)
-        if found is None or found.point is None:
-            return sought(evolve(session, seek=Seek(1, living=True)))
+        rest = (
+            None
+            if start is None
+            else next_break(session.timeline, session.breakpoints, start, 1, ticks=1).point
+        )
+        return sought(evolve(session, seek=Seek(1, living=rest is None)))
     return sought(evolve(session, seek=Seek(direction)))
 
 

@@ -1,4 +1,4 @@
-"""The editor of a ship's program, and the line that asks for a breakpoint. What they do to a session is pure, elsewhere.
+"""The editor of a ship's program, and the line that asks for a breakpoint.
 
 The editor checks the text, and lives the other future in pieces, so that the screen stays awake and Esc gives up.
 """
@@ -9,7 +9,6 @@ from collections.abc import Generator
 from time import perf_counter
 from typing import ClassVar, Final
 
-from textual import events
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.screen import Screen
@@ -177,7 +176,9 @@ class Breaking(Box[Session]):
     """Asks for a breakpoint: the number of a line, or a condition. Its answer is the session with it."""
 
     def __init__(self, session: Session) -> None:
-        super().__init__("Break on", "a line number or a condition, as: getx self < 100; Esc goes back")
+        super().__init__(
+            "Break on", "a line number or a condition, as: getx self < 100; Esc goes back"
+        )
         self._session = session
         self._fault = ""
 
@@ -207,7 +208,3 @@ class Breaking(Box[Session]):
         except ModelError as error:
             self._fault = str(error)
             self.fit()
-
-    def key(self, event: events.Key) -> bool:
-        """Esc leaves."""
-        return super().key(event)

@@ -19,9 +19,9 @@ from fasteroids.events import Happened
 from fasteroids.tui.arena import Arena
 from fasteroids.tui.camera import Frame, frame
 from fasteroids.tui.canvas import Row
+from fasteroids.tui.choosing import next_leading
 from fasteroids.tui.chronicle import chronicle_of
 from fasteroids.tui.commanding import commanded, viewed
-from fasteroids.tui.choosing import next_leading
 from fasteroids.tui.controls import Hands, acted, let_go, pressed, released, reported, synced
 from fasteroids.tui.debugging import sought, stopped
 from fasteroids.tui.editor import Breaking, Editor
@@ -276,7 +276,9 @@ class Play(Screen[None], inherit_bindings=False):
         first = next_leading(side.rows, None, 1)
         shown = first is not None and self._has_pane
         side.choose(first if shown else None)
-        said = "arrows and Enter choose a line, Esc leaves" if shown else "no line here leads anywhere"
+        said = (
+            "arrows and Enter choose a line, Esc leaves" if shown else "no line here leads anywhere"
+        )
         self.become(evolve(self.session, said=said))
 
     def _chooses(self, key: str) -> bool:

@@ -119,9 +119,7 @@ def _changed(position: Point | Machine) -> set[str]:
     return {name for step in position.tick.steps[: position.step] for name in step.changed}
 
 
-def print_rows(
-    chronicle: Chronicle, at: Place, ship: int, width: int, most: int
-) -> Iterator[Row]:
+def print_rows(chronicle: Chronicle, at: Place, ship: int, width: int, most: int) -> Iterator[Row]:
     """What a program printed in its last ticks up to a place, `most` lines at most, each with its time; in order."""
     lines = [
         (entry.place, line)
@@ -130,7 +128,9 @@ def print_rows(
         for line in entry.what.prints
     ]
     for place, line in lines[max(len(lines) - most, 0) :]:
-        yield row(width, (f"{clock(place.time)} s ", Style.LINK), ("print ", Style.DIM), line, place=place)
+        yield row(
+            width, (f"{clock(place.time)} s ", Style.LINK), ("print ", Style.DIM), line, place=place
+        )
 
 
 def _variables(

@@ -84,7 +84,7 @@ _Judged: TypeAlias = tuple[tuple[Place, Game], ...]
 
 @frozen
 class Seek:
-    """A breakpoint is looked for, a piece at a time: on or back through what was lived, or, if `living`, by living on."""
+    """A breakpoint is looked for, a piece at a time: on or back through what was lived, or by living on."""
 
     step: Literal[1, -1]
     living: bool = False

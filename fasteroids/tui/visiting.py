@@ -26,7 +26,14 @@ def visited(session: Session, at: float | None = None, who: str | None = None) -
     ship = None if who is None else ship_meant(session.timeline, who)
     session = evolve(session, running=0, selected=ship)
     session = _lived(session, at) if session.live else _looked(session, at)
-    return session if ship is not None else evolve(session, selected=flown(session))
+    if ship is not None:
+        return session
+    ship = flown(session)
+    if ship is None:
+        others = session.world.ships
+        said = "no ship here runs a program"
+        return evolve(session, selected=others[0].id if others else None, said=said)
+    return evolve(session, selected=ship)
 
 
 def _lived(session: Session, at: float | None) -> Session:
@@ -62,7 +69,7 @@ def death_in(timeline: Timeline, entity: int) -> Lived | None:
 
 
 def ship_meant(timeline: Timeline, who: str) -> int:
-    """The ship of a name, the last one if several had it; else the one whose id it is. `ModelError` if there is none."""
+    """The ship of a name, the last one if several had it; else the one whose id it is. `ModelError` if none is."""
     names = {ship.id: ship.name or "" for ship in _ships(timeline) if ship.id is not None}
     named = [i for i, name in names.items() if name == who]
     if named:
