@@ -36,6 +36,7 @@ from fasteroids.tui.session import Seek, Session, lived_on, look, played
 from fasteroids.units import ModelError
 
 __all__ = [
+    "breakpoints_of",
     "broken_at",
     "flown",
     "here",
@@ -88,8 +89,10 @@ def machine_here(session: Session) -> Machine | None:
 def here(session: Session) -> Point | None:
     """Where the debugger stands: if it stands in what one sees; else in front of the last tick that one sees."""
     ship = flown(session)
-    if ship is None:
-        return None
+    return None if ship is None else _here(session, ship)
+
+
+def _here(session: Session, ship: int) -> Point | None:
     point = _standing(session, ship)
     if point is not None:
         return point
@@ -122,11 +125,14 @@ def stand(session: Session, point: Point) -> Session:
 
 def statement(session: Session, direction: Literal[1, -1]) -> Session:
     """One statement on, or back."""
-    ship, point = flown(session), here(session)
-    if ship is None:
-        return evolve(session, said=_NOWHERE)
+    ship = _stepped(session)
+    if isinstance(ship, str):
+        return evolve(session, said=ship)
+    point = _here(session, ship)
     if point is None:
         return evolve(session, said=_BEGINS) if direction < 0 else _first(session, ship)
+    if direction > 0 and ship not in session.world:
+        return evolve(session, said=f"ship #{ship} is dead here")
     if point is not session.point:  # the debugger comes: it stands at the tick first
         return stand(session, point)
     following = (next_statement if direction > 0 else previous_statement)(session.timeline, point)
@@ -135,6 +141,17 @@ def statement(session: Session, direction: Literal[1, -1]) -> Session:
     if direction < 0:
         return evolve(session, said=_BEGINS)
     return _ticked(session, ship)
+
+
+def _stepped(session: Session) -> int | str:
+    """The ship whose program is stepped: one that is selected but dead by then had one too. Else why there is none."""
+    chosen, ship = session.selected, flown(session)
+    if chosen is not None and chosen not in session.world:
+        try:
+            return tick_at(session.timeline, chosen, session.place).ship
+        except ModelError:
+            pass
+    return _NOWHERE if ship is None else ship
 
 
 def _first(session: Session, ship: int) -> Session:
@@ -168,6 +185,11 @@ def _lived_on(session: Session, ship: int) -> tuple[Session, Lived | None]:
 # Breakpoints.
 
 
+def breakpoints_of(session: Session, ship: int | None) -> tuple[Breakpoint, ...]:
+    """The breakpoints of a ship's program."""
+    return () if ship is None else session.breakpoints.get(ship, ())
+
+
 def toggled(session: Session) -> Session:
     """A breakpoint on the line where the debugger stands; or none, if there is one."""
     point, machine = here(session), machine_here(session)
@@ -196,12 +218,14 @@ def broken_at(session: Session, text: str) -> Session:
 
 
 def _with_or_without(session: Session, mark: Breakpoint) -> Session:
-    marks = session.breakpoints
+    ship = flown(session)
+    assert ship is not None
+    marks = breakpoints_of(session, ship)
     gone = mark in marks
     kept = tuple(each for each in marks if each != mark) if gone else (*marks, mark)
     where = f"on line {mark.line}" if isinstance(mark, AtLine) else f"when {mark.condition.text}"
     said = f"{'no breakpoint' if gone else 'breakpoint'} {where}"
-    return evolve(session, breakpoints=kept, said=said)
+    return evolve(session, breakpoints=session.breakpoints.set(ship, kept), said=said)
 
 
 # Running to them.
@@ -212,22 +236,21 @@ def run(session: Session, direction: Literal[1, -1]) -> Session:
 
     Where the last tick that was lived has no breakpoint any more, time lives on until there is one.
     """
-    ship = flown(session)
-    if ship is None:
-        return evolve(session, said=_NOWHERE)
-    if not session.breakpoints:
+    ship = _stepped(session)
+    if isinstance(ship, str):
+        return evolve(session, said=ship)
+    marks = breakpoints_of(session, ship)
+    if not marks:
         return evolve(session, said="there is no breakpoint")
     start = _start(session, ship)
     if start is None and direction < 0:
         return evolve(session, said=_BEGINS)
     if direction > 0 and (start is None or start.tick.place >= _last_tick(session, ship)):
         rest = (
-            None
-            if start is None
-            else next_break(session.timeline, session.breakpoints, start, 1, ticks=1).point
+            None if start is None else next_break(session.timeline, marks, start, 1, ticks=1).point
         )
-        return sought(evolve(session, seek=Seek(1, living=rest is None)))
-    return sought(evolve(session, seek=Seek(direction)))
+        return sought(evolve(session, seek=Seek(ship, 1, living=rest is None)))
+    return sought(evolve(session, seek=Seek(ship, direction)))
 
 
 def _start(session: Session, ship: int) -> Point | None:
@@ -252,15 +275,16 @@ def _last_tick(session: Session, ship: int) -> Place:
 
 def sought(session: Session) -> Session:
     """The search a piece further: `seek` is None where it has ended, and one stands where it came to."""
-    seek, ship = session.seek, flown(session)
-    if seek is None or ship is None:
-        return stopped(session)
+    seek = session.seek
+    if seek is None:
+        return session
+    ship, marks = seek.ship, breakpoints_of(session, seek.ship)
     if seek.living:
         return _sought_living(session, ship)
     start = _start(session, ship)
     if start is None:
         return stopped(session)
-    found = next_break(session.timeline, session.breakpoints, start, seek.step, ticks=_AT_ONCE)
+    found = next_break(session.timeline, marks, start, seek.step, ticks=_AT_ONCE)
     if found.point is not None:
         return _met(session, found)
     tick = tick_at(session.timeline, ship, found.last)
@@ -277,7 +301,8 @@ def _sought_living(session: Session, ship: int) -> Session:
     if state is None:
         return evolve(session, seek=None)
     start = Point(tick_at(session.timeline, ship, state.place), _IN_FRONT)
-    found = next_break(session.timeline, session.breakpoints, start, 1, ticks=1)
+    marks = breakpoints_of(session, ship)
+    found = next_break(session.timeline, marks, start, 1, ticks=1)
     if found.point is not None:
         return _met(session, found)
     if session.game.ended is not ended:

@@ -21,7 +21,7 @@ from fasteroids.history import condition, first_difference, outwardly
 from fasteroids.lang import Diagnostic, check_program, parse_program
 from fasteroids.state import describe
 from fasteroids.tui.breakpoints import When
-from fasteroids.tui.debugging import flown, machine_here
+from fasteroids.tui.debugging import breakpoints_of, flown, machine_here
 from fasteroids.tui.edits import Edited, editing
 from fasteroids.tui.session import Compared, Session, other_line
 from fasteroids.units import ModelError
@@ -81,14 +81,14 @@ def _kept(session: Session, ship: int) -> Session:
     """With the breakpoints that still make sense: a condition may name a variable that is no more."""
     entity, kept = session.world.flight_of(ship).entity, []
     assert isinstance(entity, Ship)
-    for each in session.breakpoints:
-        if isinstance(each, When) and each.condition.ship == ship:
+    for each in breakpoints_of(session, ship):
+        if isinstance(each, When):
             try:
                 each = When(condition(each.condition.text, entity))
             except ModelError:
                 continue
         kept.append(each)
-    return evolve(session, breakpoints=tuple(kept))
+    return evolve(session, breakpoints=session.breakpoints.set(ship, tuple(kept)))
 
 
 def compared(session: Session) -> Session:

@@ -16,7 +16,7 @@ from collections.abc import Iterable, Sequence
 from math import inf
 from typing import Final, Literal, TypeAlias
 
-from attrs import evolve, frozen
+from attrs import evolve, field, frozen
 from pyrsistent import PMap, pmap
 
 from fasteroids.actions import Action
@@ -84,8 +84,9 @@ _Judged: TypeAlias = tuple[tuple[Place, Game], ...]
 
 @frozen
 class Seek:
-    """A breakpoint is looked for, a piece at a time: on or back through what was lived, or by living on."""
+    """A breakpoint of a ship is looked for, a piece at a time: on or back through what was lived, or by living on."""
 
+    ship: int
     step: Literal[1, -1]
     living: bool = False
 
@@ -118,7 +119,8 @@ class Session:
     """One line for the player."""
     point: Point | None = None
     """Where the debugger stood last."""
-    breakpoints: tuple[Breakpoint, ...] = ()
+    breakpoints: PMap[int, tuple[Breakpoint, ...]] = field(factory=pmap)
+    """Those of each ship's program."""
     fate: DeathTold | None = None
     """The death that was asked about, while one looks at how it came."""
     seek: Seek | None = None
