@@ -36,6 +36,7 @@ from fasteroids.tui.session import Seek, Session, lived_on, look, played
 from fasteroids.units import ModelError
 
 __all__ = [
+    "before_tick",
     "breakpoints_of",
     "broken_at",
     "flown",
@@ -87,7 +88,10 @@ def machine_here(session: Session) -> Machine | None:
 
 
 def here(session: Session) -> Point | None:
-    """Where the debugger stands: if it stands in what one sees; else in front of the last tick that one sees."""
+    """Where the debugger stands, if that is in what one sees; else behind the last tick that one sees.
+
+    None if no program is there, or if it has not run yet.
+    """
     ship = flown(session)
     return None if ship is None else _here(session, ship)
 
@@ -97,20 +101,21 @@ def _here(session: Session, ship: int) -> Point | None:
     if point is not None:
         return point
     try:
-        return at_tick(session.timeline, ship, session.place)
+        tick = tick_at(session.timeline, ship, session.place)
     except ModelError:  # it has not run yet
         return None
+    return Point(tick, len(tick.steps))
 
 
 def _standing(session: Session, ship: int) -> Point | None:
     """Where the debugger stands, if that is in what one sees."""
     point = session.point
-    if point is None or point.tick.ship != ship or session.at != _before(point):
+    if point is None or point.tick.ship != ship or session.at != before_tick(point):
         return None
     return point
 
 
-def _before(point: Point) -> Place:
+def before_tick(point: Point) -> Place:
     """The place right before a tick."""
     place = point.tick.place
     return place._replace(nth=place.nth - 1)
@@ -118,7 +123,7 @@ def _before(point: Point) -> Place:
 
 def stand(session: Session, point: Point) -> Session:
     """The debugger stands there, and one sees the world that the program sees."""
-    session = evolve(look(session, _before(point)), point=point, selected=point.tick.ship)
+    session = evolve(look(session, before_tick(point)), point=point, selected=point.tick.ship)
     span = point.statement
     return evolve(session, said=f"line {span.line} at {point.tick.time:.1f} s, step {point.step}")
 
@@ -133,8 +138,6 @@ def statement(session: Session, direction: Literal[1, -1]) -> Session:
         return evolve(session, said=_BEGINS) if direction < 0 else _first(session, ship)
     if direction > 0 and ship not in session.world:
         return evolve(session, said=f"ship #{ship} is dead here")
-    if point is not session.point:  # the debugger comes: it stands at the tick first
-        return stand(session, point)
     following = (next_statement if direction > 0 else previous_statement)(session.timeline, point)
     if following is not None:
         return stand(session, following)
@@ -254,19 +257,12 @@ def run(session: Session, direction: Literal[1, -1]) -> Session:
 
 
 def _start(session: Session, ship: int) -> Point | None:
-    """Where a search begins: where the debugger stands, else behind the last tick that one sees.
-
-    In front of the first tick if none is seen yet; None if there is none.
-    """
-    point = _standing(session, ship)
+    """Where a search begins: where the debugger stands, or in front of the first tick; None if there is none."""
+    point = _here(session, ship)
     if point is not None:
         return point
-    try:
-        tick = tick_at(session.timeline, ship, session.place)
-    except ModelError:
-        first = next_tick(session.timeline, ship, session.place)
-        return None if first is None else Point(first, _IN_FRONT)
-    return Point(tick, len(tick.steps))
+    first = next_tick(session.timeline, ship, session.place)
+    return None if first is None else Point(first, _IN_FRONT)
 
 
 def _last_tick(session: Session, ship: int) -> Place:

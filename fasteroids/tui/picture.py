@@ -19,7 +19,7 @@ from fasteroids.tui.breakpoints import AtLine, When
 from fasteroids.tui.camera import DEATH_LASTS, ZOOMS, Death, Look
 from fasteroids.tui.canvas import SURFACES
 from fasteroids.tui.chronicle import Chronicle
-from fasteroids.tui.debugging import breakpoints_of, flown, here
+from fasteroids.tui.debugging import before_tick, breakpoints_of, flown, here
 from fasteroids.tui.inspector import entity_rows
 from fasteroids.tui.overlay import Line, Mark, Overlay, Point
 from fasteroids.tui.program_pane import machine_of, print_rows, program_rows
@@ -223,9 +223,11 @@ def _facts(session: Session, chronicle: Chronicle, width: int, height: int) -> t
     if ship is not None and (not session.running or session.selected == ship):
         room = height if session.selected in (None, ship) and session.point else height // 2
         marks = breakpoints_of(session, ship)
-        printed = tuple(print_rows(chronicle, place, ship, width, room // 6))
+        point = None if session.running else here(session)
+        before = place if point is None else before_tick(point)
+        printed = tuple(print_rows(chronicle, before, ship, width, room // 6))
         program = program_rows(
-            (None if session.running else here(session)) or machine_of(world, ship),
+            point or machine_of(world, ship),
             width,
             room - len(printed),
             name=describe(world[ship]),

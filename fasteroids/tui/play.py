@@ -155,7 +155,9 @@ class Play(Screen[None], inherit_bindings=False):
                 for player, action in told
                 if player <= len(humans) and (ship := humans[player - 1].ship) is not None
             ]
-        self.become(beat(before, elapsed, actions))
+        session = beat(before, elapsed, actions)
+        if session is not before:
+            self.become(session)
 
     def become(self, session: Session) -> None:
         """Show another session."""
