@@ -68,12 +68,11 @@ def flown(session: Session) -> int | None:
     chosen = session.selected
     if chosen is not None and _flies(world, chosen):
         return chosen
-    return next((ship.id for ship in world.ships if isinstance(ship.program, Machine)), None)
+    return next((ship.id for ship in world.ships if machine_in(ship.program) is not None), None)
 
 
 def _flies(world: World, ship: int) -> bool:
-    e = world.entities.get(ship)
-    return isinstance(e, Ship) and isinstance(e.program, Machine)
+    return _aboard(world, ship) is not None
 
 
 def machine_here(session: Session) -> Machine | None:
@@ -81,9 +80,12 @@ def machine_here(session: Session) -> Machine | None:
     ship, point = flown(session), here(session)
     if point is not None:
         return point.machine
-    if ship is None:
-        return None
-    e = session.world.flight_of(ship).entity
+    return None if ship is None else _aboard(session.world, ship)
+
+
+def _aboard(world: World, ship: int) -> Machine | None:
+    """The program that a ship carries; None if it is dead, or has none."""
+    e = world.entities.get(ship)
     return machine_in(e.program) if isinstance(e, Ship) else None
 
 
@@ -104,7 +106,10 @@ def _here(session: Session, ship: int) -> Point | None:
         tick = tick_at(session.timeline, ship, session.place)
     except ModelError:  # it has not run yet
         return None
-    return Point(tick, len(tick.steps))
+    point, now = Point(tick, len(tick.steps)), _aboard(session.world, ship)
+    if now is not None and now.code.source != point.machine.code.source:  # the ship got another one
+        return None
+    return point
 
 
 def _standing(session: Session, ship: int) -> Point | None:
