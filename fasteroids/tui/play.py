@@ -109,6 +109,7 @@ class Play(Screen[None], inherit_bindings=False):
         self._chronicle = chronicle_of(session.timeline)
         self._film: Strip | None = None
         self._has_pane = False
+        self._due = True
 
     def compose(self) -> ComposeResult:
         """A line above, the arena and the panes, two lines below."""
@@ -241,6 +242,7 @@ class Play(Screen[None], inherit_bindings=False):
             return
         self.hands = let_go(self.hands)
         self._foreseen = -1.0
+        self._due = True
         self.become(session)
 
     # The program, and the panel.
@@ -359,7 +361,9 @@ class Play(Screen[None], inherit_bindings=False):
             [status(self.session, columns, ascii=ascii, note=note)]
         )
         self.query_one("#said", Rows).show([told(self.session.said, columns)])
-        if self.frames % _SELDOM == 0 or not (self.session.live and self.session.running):
+        running = self.session.live and self.session.running
+        if self._due or self.frames % _SELDOM == 0 or not running:
+            self._due = False
             self._panes(columns, ascii=ascii)
 
     def _panes(self, columns: int, *, ascii: bool) -> None:
