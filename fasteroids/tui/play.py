@@ -19,7 +19,6 @@ from fasteroids.events import Happened
 from fasteroids.tui.arena import Arena
 from fasteroids.tui.camera import Frame, frame
 from fasteroids.tui.canvas import Row
-from fasteroids.tui.choosing import next_leading
 from fasteroids.tui.chronicle import chronicle_of
 from fasteroids.tui.commanding import commanded, viewed
 from fasteroids.tui.controls import Hands, acted, let_go, pressed, released, reported, synced
@@ -29,7 +28,7 @@ from fasteroids.tui.keeping import Keeper
 from fasteroids.tui.keyboard import KeyAgain, KeyboardReport, KeyUp
 from fasteroids.tui.keys import FLIGHT, Command, Keymap
 from fasteroids.tui.overlay import Overlay, overlay
-from fasteroids.tui.panels import Rows
+from fasteroids.tui.panels import Pane, Rows
 from fasteroids.tui.picture import (
     PANELS_FROM,
     View,
@@ -117,7 +116,7 @@ class Play(Screen[None], inherit_bindings=False):
         with Horizontal(id="middle"):
             yield Arena(id="arena")
             with Vertical(id="side"):
-                yield Rows(id="pane")
+                yield Pane(id="pane")
         yield Rows(id="strip")
         yield Rows(id="said")
 
@@ -207,7 +206,7 @@ class Play(Screen[None], inherit_bindings=False):
 
     def on_key(self, event: events.Key) -> None:
         """A key went down."""
-        if self._chooses(event.key):
+        if self.query_one(Pane).key(event.key):
             event.stop()
             event.prevent_default()
             return
@@ -257,7 +256,7 @@ class Play(Screen[None], inherit_bindings=False):
         source = source_of(session)
         if command is Command.CHOOSE:
             self.become(session)
-            self._choose_first()
+            self._choose()
         elif source is None:
             self.become(evolve(session, said="no ship here runs a program: select one that does"))
         elif command is Command.EDIT:
@@ -274,32 +273,11 @@ class Play(Screen[None], inherit_bindings=False):
         if session is not None:
             self.become(session)
 
-    def _choose_first(self) -> None:
-        """The first row of the panel that leads anywhere is chosen."""
-        side = self.query_one("#pane", Rows)
-        first = next_leading(side.rows, None, 1)
-        shown = first is not None and self._has_pane
-        side.choose(first if shown else None)
-        said = (
-            "arrows and Enter choose a line, Esc leaves" if shown else "no line here leads anywhere"
-        )
-        self.become(evolve(self.session, said=said))
-
-    def _chooses(self, key: str) -> bool:
-        """Is a key for the chosen row of the panel? Any other key leaves it first."""
-        side = self.query_one("#pane", Rows)
-        if side.chosen is None:
-            return False
-        if key in ("up", "down"):
-            side.choose(next_leading(side.rows, side.chosen, 1 if key == "down" else -1))
-            return True
-        place = side.rows[side.chosen].place if side.chosen < len(side.rows) else None
-        if key == "enter" and place is not None:
-            self.become(look(self.session, place))
-            side.choose(next_leading(side.rows, side.chosen - 1, 1))
-            return True
-        side.choose(None)
-        return key == "escape"
+    def _choose(self) -> None:
+        """A row of the panel is to be chosen."""
+        begun = self._has_pane and self.query_one(Pane).begin()
+        told = "arrows and Enter choose a line, Esc leaves" if begun else "no line leads anywhere"
+        self.become(evolve(self.session, said=told))
 
     def on_key_up(self, event: KeyUp) -> None:
         """A key went up, where the terminal tells."""
@@ -371,7 +349,7 @@ class Play(Screen[None], inherit_bindings=False):
         self._chronicle = self._chronicle.followed(self.session.timeline)
         self._film = film(self.session, self._chronicle, columns, ascii=ascii)
         self.query_one("#strip", Rows).show(self._film.rows)
-        side = self.query_one("#pane", Rows)
+        side = self.query_one(Pane)
         if self._has_pane:
             width, height = side.content_size
             side.show(pane(self.session, self._chronicle, width, height))

@@ -18,7 +18,7 @@ from fasteroids.tui.editor import Breaking, Editor
 from fasteroids.tui.ending import End
 from fasteroids.tui.game import Game, Player, ruled
 from fasteroids.tui.launching import Launched, NewGame, SceneGame
-from fasteroids.tui.panels import Rows
+from fasteroids.tui.panels import Pane, Rows
 from fasteroids.tui.session import opened
 from fasteroids.tui.start import Start
 from fasteroids.tui.visiting import visited
@@ -249,7 +249,7 @@ def test_a_program_is_edited_and_its_first_difference_is_shown(tmp_path: Path) -
         assert any(line.startswith("They part at 2.200 s") for line in pane(app))
         assert any("thrust; }" in line for line in pane(app))
         await typed(pilot, "enter")
-        side = play.query_one("#pane", Rows)
+        side = play.query_one(Pane)
         assert side.chosen is not None
         place = side.rows[side.chosen].place
         assert place is not None
