@@ -6,19 +6,19 @@ import asyncio
 import signal
 from collections.abc import Callable
 from contextlib import suppress
+from functools import partial
 from pathlib import Path
 from typing import ClassVar
 
 from attrs import evolve, field, frozen
-from textual import work
-from textual.app import App
+from textual.app import App, ScreenStackError
 from textual.binding import BindingType
 from textual.driver import Driver
 
 from fasteroids.tui._store import Store
 from fasteroids.tui.boxes import Tell
 from fasteroids.tui.controls import Hands, reported
-from fasteroids.tui.ending import End, score_of
+from fasteroids.tui.ending import End, Ended, score_of
 from fasteroids.tui.keeping import Keeper
 from fasteroids.tui.keyboard import KeyboardReport
 from fasteroids.tui.keys import Command, Keymap
@@ -218,29 +218,39 @@ class Arcade(App[int], inherit_bindings=False):
         """The game under whatever is shown."""
         return next((each for each in reversed(self.screen_stack) if isinstance(each, Play)), None)
 
+    @property
+    def open(self) -> bool:
+        """Is nothing over the game or the start screen? More keys may be on their way when a screen comes."""
+        try:
+            return isinstance(self.screen, Play | Start)
+        except ScreenStackError:  # the app has ended
+            return False
+
     def on_start_picked(self, event: Start.Picked) -> None:
         """The start screen says what is wanted."""
+        if not isinstance(self.screen, Start):
+            return
         if event.picked in ("scores", "keys"):
             self.show(event.picked)
         else:
             self.launch(event.picked)  # type: ignore[arg-type]  # the others
 
-    @work(exclusive=True)
-    async def on_play_over(self) -> None:
+    def on_play_over(self) -> None:
         """A game has ended: a name for the table, and what next."""
         play = self.playing
-        if play is None:
+        if play is None or not play.is_active:
             return
         recording = self._keeper.path.name if self._keeper and self._keeper.path else ""
-        score = score_of(play.session, recording)
         end = End(
             play.session,
-            score=score,
+            score=score_of(play.session, recording),
             table=self._store.scores(),
             name=self._player,
             keymap=self.keymap,
         )
-        answer = await self.push_screen_wait(end)
+        self.push_screen(end, partial(self._over, end, play))
+
+    def _over(self, end: End, play: Play, answer: Ended | None) -> None:
         if end.score is not None and end.entered is not None:
             self._player = end.entered
             self._store.enter(evolve(end.score, name=end.entered))
@@ -265,7 +275,9 @@ class Arcade(App[int], inherit_bindings=False):
         self.obey(event.command)
 
     def obey(self, command: Command) -> None:
-        """A command about the whole game; others go to the game, if there is one."""
+        """A command about the whole game."""
+        if not self.open:
+            return
         match command:
             case Command.QUIT:
                 self.exit(0)
@@ -274,7 +286,7 @@ class Arcade(App[int], inherit_bindings=False):
             case Command.HELP:
                 self.push_screen(Help(self.keymap, *self.options.notes[:1]))
             case Command.PALETTE:
-                self.choose_command()
+                self.push_screen(Palette(self.keymap), self._commanded)
             case Command.SCREENSHOT:
                 self.photograph()
             case Command.MUTE:
@@ -282,18 +294,15 @@ class Arcade(App[int], inherit_bindings=False):
                 silent = self.sound.note or ("sound off" if self.sound.muted else "sound on")
                 self.notify(silent)
 
-    @work(exclusive=True)
-    async def choose_command(self) -> None:
-        """All commands, by name."""
-        chosen = await self.push_screen_wait(Palette(self.keymap))
+    def _commanded(self, chosen: Command | Place | None) -> None:
+        """What was chosen of all commands: the game does it, if there is one."""
         play = self.playing
         if isinstance(chosen, str):
             self.show(chosen)
+        elif chosen is not None and play is not None:
+            play.command(chosen)
         elif chosen is not None:
-            if play is not None:
-                play.command(chosen)
-            else:
-                self.obey(chosen)
+            self.obey(chosen)
 
     def photograph(self) -> None:
         """Save a picture of the screen, and the scene of this moment."""
@@ -304,15 +313,17 @@ class Arcade(App[int], inherit_bindings=False):
         world = None if play is None else play.session.world
         self.notify(saved(self.options.folder / "pictures", self.export_screenshot(), world))
 
-    @work(exclusive=True)
-    async def show(self, place: Place) -> None:
+    def show(self, place: Place) -> None:
         """A screen that no key leads to."""
         if place == "keys":
-            await self.push_screen_wait(Keys(self.keymap, self._remapped))
-            return
-        name = await self.push_screen_wait(Scores(self._store.scores(), self.folder))
-        if name and self.folder is not None:
-            self.launch(Recorded(self.folder / name))
+            self.push_screen(Keys(self.keymap, self._remapped))
+        else:
+            self.push_screen(Scores(self._store.scores(), self.folder), self._scored)
+
+    def _scored(self, recording: str | None) -> None:
+        """The recording of a high score was chosen."""
+        if recording and self.folder is not None:
+            self.launch(Recorded(self.folder / recording))
 
     def _remapped(self, keymap: Keymap) -> None:
         """Keys mean something else now, here and on disk."""

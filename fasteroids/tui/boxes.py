@@ -110,6 +110,7 @@ class Box(ModalScreen[R], inherit_bindings=False):
     def __init__(self, title: str, foot: str) -> None:
         super().__init__()
         self._heading, self._foot = title, foot
+        self._left = False
 
     def inside(self) -> ComposeResult:
         """The widgets between heading and foot."""
@@ -153,6 +154,12 @@ class Box(ModalScreen[R], inherit_bindings=False):
             self.query_one(name, Rows).show([centred(text, width, style)])
         self.fitted(width, height)
 
+    def leave(self, answer: R | None) -> None:
+        """Give the answer, once: more keys may have been on their way."""
+        if not self._left:
+            self._left = True
+            self.dismiss(answer)
+
     def say(self, text: str) -> None:
         """Another line about keys."""
         self._foot = text
@@ -170,7 +177,7 @@ class Box(ModalScreen[R], inherit_bindings=False):
         """Do what a key asks, if it asks anything; Esc leaves."""
         if event.key != "escape":
             return False
-        self.dismiss(None)
+        self.leave(None)
         return True
 
 
@@ -226,7 +233,7 @@ class Choose(Box[T]):
         """The chosen entry is the answer."""
         entry = self.choices.menu.chosen
         if entry is not None:
-            self.dismiss(entry.value)
+            self.leave(entry.value)
 
     def on_input_changed(self, event: Input.Changed) -> None:
         """Those that fit, the best first."""
@@ -266,7 +273,7 @@ class Ask(Box[str]):
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """The answer."""
         if event.value.strip():
-            self.dismiss(event.value.strip())
+            self.leave(event.value.strip())
 
 
 class Tell(Box[None]):
@@ -294,7 +301,7 @@ class Tell(Box[None]):
     def key(self, event: events.Key) -> bool:
         """Scroll; Enter leaves too."""
         if event.key == "enter":
-            self.dismiss(None)
+            self.leave(None)
             return True
         return self.query_one("#text", Text).key(event.key) or super().key(event)
 

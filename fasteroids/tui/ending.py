@@ -147,7 +147,7 @@ class End(Box[Ended]):
     def _leave(self, answer: Ended) -> None:
         if self.score is not None:
             self._take(self.query_one("#name", Input).value)
-        self.dismiss(answer)
+        self.leave(answer)
 
 
 def _why_key(keymap: Keymap) -> str:

@@ -11,6 +11,7 @@ from textual.app import ComposeResult
 from textual.binding import BindingType
 from textual.message import Message
 from textual.screen import Screen
+from textual.worker import Worker
 
 from fasteroids.tui.boxes import Ask, Choices, Choose
 from fasteroids.tui.keyboard import KeyAgain
@@ -89,6 +90,7 @@ class Start(Screen[None], inherit_bindings=False):
         self.keymap = keymap
         self._library, self._seed, self._recent = library, seed, recent
         self._notes, self._model = notes, model
+        self._asking: Worker[None] | None = None
 
     def compose(self) -> ComposeResult:
         """A title, the choices, a line of notes."""
@@ -156,7 +158,8 @@ class Start(Screen[None], inherit_bindings=False):
             case "two":
                 self._picked(NewGame("duel", (None, None), self._seed(), self._model))
             case "against" | "watch" | "scene" | "recording" as kind:
-                self._ask(kind)
+                if self._asking is None or self._asking.is_finished:
+                    self._asking = self._answered(kind)
             case "scores" | "keys" as kind:
                 self._picked(kind)
             case "quit":
@@ -165,8 +168,8 @@ class Start(Screen[None], inherit_bindings=False):
     def _picked(self, picked: Pick) -> None:
         self.post_message(self.Picked(picked))
 
-    @work(exclusive=True)
-    async def _ask(self, kind: Asking) -> None:
+    @work
+    async def _answered(self, kind: Asking) -> None:
         wanted: Wanted | None
         match kind:
             case "against":

@@ -19,6 +19,7 @@ from fasteroids.tui._store import Store
 from fasteroids.tui.app import Arcade, Notices, Options
 from fasteroids.tui.boxes import Choices
 from fasteroids.tui.launching import Launched, NewGame, Recorded, SceneGame, Wanted, launched
+from fasteroids.tui.menu import put
 from fasteroids.tui.panels import Rows
 from fasteroids.tui.play import Play
 from fasteroids.units import ModelError
@@ -124,13 +125,11 @@ async def typed(pilot: Pilot[int], *keys: str) -> None:
 
 
 async def chosen(app: Arcade, pilot: Pilot[int], label: str) -> None:
-    """Choose the entry that begins with this label in the menu that is shown, with arrows and Enter."""
-    menu = app.screen.query_one(Choices).menu
-    labels = [entry.label for entry in menu.entries]
-    [at] = [i for i, each in enumerate(labels) if each == label]
-    step = at - menu.at
-    await pilot.press(*["down" if step > 0 else "up"] * abs(step))
-    await pilot.pause()
+    """Choose the entry of this label in the menu that is shown: go near it at once, then with an arrow and Enter."""
+    choices = app.screen.query_one(Choices)
+    [at] = [i for i, entry in enumerate(choices.menu.entries) if entry.label == label]
+    choices.menu = put(choices.menu, (at - 1) % len(choices.menu.entries), choices.size.height)
+    await pilot.press("down")
     assert any(line.startswith(f"> {label}") for line in text(app)), text(app)
     await typed(pilot, "enter")
 
