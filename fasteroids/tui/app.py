@@ -139,7 +139,7 @@ class Arcade(App[int], inherit_bindings=False):
                 loop = asyncio.get_running_loop()
                 loop.add_signal_handler(number, self.exit, 128 + number)
         if self._notices is not None:
-            self._notices.shown_by(self.notify)
+            self._notices.shown_by(self.tell)
         self.push_screen(
             Start(
                 self._library,
@@ -156,6 +156,10 @@ class Arcade(App[int], inherit_bindings=False):
     def on_unmount(self) -> None:
         """Silence, and the end of the recording."""
         self.close()
+
+    def tell(self, sentence: str) -> None:
+        """Show a sentence for a while, as it is: a path may look like markup."""
+        self.notify(sentence, markup=False)
 
     def close(self) -> None:
         """Let go of everything outside. It may be called again."""
@@ -190,7 +194,7 @@ class Arcade(App[int], inherit_bindings=False):
         self._wanted = begun.wanted
         keeper = None
         if self.folder is not None and not isinstance(begun.wanted, Recorded):
-            keeper = Keeper(self.folder, begun.title, self.notify)
+            keeper = Keeper(self.folder, begun.title, self.tell)
         self._keeper = keeper
         self.push_screen(
             Play(
@@ -292,7 +296,7 @@ class Arcade(App[int], inherit_bindings=False):
             case Command.MUTE:
                 self.sound.muted = not self.sound.muted
                 silent = self.sound.note or ("sound off" if self.sound.muted else "sound on")
-                self.notify(silent)
+                self.tell(silent)
 
     def _commanded(self, chosen: Command | Place | None) -> None:
         """What was chosen of all commands: the game does it, if there is one."""
@@ -307,11 +311,11 @@ class Arcade(App[int], inherit_bindings=False):
     def photograph(self) -> None:
         """Save a picture of the screen, and the scene of this moment."""
         if self.options.folder is None:
-            self.notify("no picture: there is no folder for it")
+            self.tell("no picture: there is no folder for it")
             return
         play = self.playing
         world = None if play is None else play.session.world
-        self.notify(saved(self.options.folder / "pictures", self.export_screenshot(), world))
+        self.tell(saved(self.options.folder / "pictures", self.export_screenshot(), world))
 
     def show(self, place: Place) -> None:
         """A screen that no key leads to."""

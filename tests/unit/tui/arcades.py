@@ -104,7 +104,7 @@ def run(app: Arcade, scenario: Scenario, *, size: tuple[int, int] = (80, 24)) ->
     """Run a scenario in an app of this size; the app afterwards."""
 
     async def whole() -> None:
-        async with app.run_test(size=size) as pilot:
+        async with app.run_test(size=size, notifications=True) as pilot:
             await settled(pilot)
             await scenario(app, pilot)
 
@@ -137,6 +137,7 @@ async def chosen(app: Arcade, pilot: Pilot[int], label: str) -> None:
 def text(app: Arcade) -> list[str]:
     """The lines of text that the screen on top shows, in no picture of the arena."""
     lines = [row.text.rstrip() for each in app.screen.query(Rows) for row in each.rows]
+    assert all(map(str.isascii, lines)), lines
     return lines + [each.value for each in app.screen.query(Input)]
 
 
