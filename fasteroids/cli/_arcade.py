@@ -18,7 +18,7 @@ from fasteroids.actions import Program
 from fasteroids.cli import _options as options
 from fasteroids.cli._bots import read_bot
 from fasteroids.cli._files import shipped, shipped_programs
-from fasteroids.cli._guard import BUG, Refusal
+from fasteroids.cli._guard import BUG, Refusal, reason
 from fasteroids.cli._scenes import open_scene
 from fasteroids.state import World
 from fasteroids.units import ModelError
@@ -106,6 +106,8 @@ def _told(get: Callable[[], T]) -> T:
         return get()
     except Refusal as refusal:
         raise ModelError(refusal.message) from None
+    except OSError as error:
+        raise ModelError(f"cannot read {reason(error)}") from None
 
 
 def _said(text: str, sign: str) -> str:

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import ClassVar
 
 from attrs import evolve, field, frozen
+from textual import events
 from textual.app import App, ScreenStackError
 from textual.binding import BindingType
 from textual.driver import Driver
@@ -21,7 +22,7 @@ from fasteroids.tui.controls import Hands, reported
 from fasteroids.tui.ending import End, Ended, score_of
 from fasteroids.tui.keeping import Keeper
 from fasteroids.tui.keyboard import KeyboardReport
-from fasteroids.tui.keys import Command, Keymap
+from fasteroids.tui.keys import Command, Keymap, spoken
 from fasteroids.tui.launching import (
     Launched,
     Library,
@@ -43,7 +44,7 @@ from fasteroids.units import ModelError
 
 __all__ = ["Arcade", "Notices", "Options"]
 
-_SIGNALS = ("SIGTERM", "SIGHUP")
+_SIGNALS = ("SIGTERM", "SIGHUP", "SIGINT")
 """What ends the app in order: its exit code is 128 and the number of the signal."""
 
 
@@ -176,6 +177,12 @@ class Arcade(App[int], inherit_bindings=False):
         """The terminal tells of keys that go up, or does not."""
         if event.key_up:
             self._hands = reported(self._hands)
+
+    def on_key(self, event: events.Key) -> None:
+        """A key that nobody has. Whoever presses Ctrl-C wants to leave, and is told how."""
+        if event.key == "ctrl+c":
+            ways = [spoken(key) for key in self.keymap.keys[Command.QUIT]]
+            self.tell(" or ".join([*ways, "Esc on the start screen"]) + " quits")
 
     # Games.
 

@@ -272,8 +272,9 @@ class Ask(Box[str]):
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """The answer."""
-        if event.value.strip():
-            self.leave(event.value.strip())
+        text = "".join(filter(str.isprintable, event.value)).strip()
+        if text:
+            self.leave(text)
 
 
 class Tell(Box[None]):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from pathlib import Path
 from typing import ClassVar, Final, Literal, TypeAlias
 
@@ -133,8 +134,6 @@ class Start(Screen[None], inherit_bindings=False):
 
     def on_key(self, event: events.Key) -> None:
         """Move, choose, or a command."""
-        event.stop()
-        event.prevent_default()
         if self.menu.key(event.key) or isinstance(event, KeyAgain):
             return
         if event.key in ("enter", "space"):
@@ -221,8 +220,13 @@ class Start(Screen[None], inherit_bindings=False):
         return await self._path(path) if name == "" else name
 
     async def _path(self, title: str) -> str | None:
+        """The whole path of a file: a short one could be taken for a name, or for standard input."""
         path = await self.app.push_screen_wait(Ask(title))
-        return path and str(Path(path).expanduser())
+        if path is None:
+            return None
+        with suppress(RuntimeError):  # there is no such user
+            return str(Path(path).expanduser().absolute())
+        return str(Path(path).absolute())
 
     async def _recording(self) -> Wanted | None:
         entries = [Entry(_said(each), str(each.place), each.title) for each in self._recent()]
