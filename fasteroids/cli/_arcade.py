@@ -151,8 +151,9 @@ def opened(wanted: Wanted | None, shown: Screen) -> int:
         )
     first = None if wanted is None else begun(wanted)
     from fasteroids.tui._store import Store, data_folder
-    from fasteroids.tui.app import Arcade, Notices, Options
+    from fasteroids.tui.app import Arcade
     from fasteroids.tui.keyboard import chosen_driver
+    from fasteroids.tui.options import Notices, Options
     from fasteroids.tui.picture import View
     from fasteroids.tui.terminal import terminal_of
 
@@ -173,7 +174,7 @@ def opened(wanted: Wanted | None, shown: Screen) -> int:
             folder=data_folder(),
             sound=settings.sound and not shown.silent,
             window=shown.window,
-            seed=shown.seed,
+            seed=shown.seed if first is None else None,
             model=shown.model or MODEL,
             notes=tuple(filter(None, ("" if chosen else terminal.note, note))),
         ),

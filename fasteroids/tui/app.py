@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import asyncio
 import signal
-from collections.abc import Callable
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
 from typing import ClassVar
 
-from attrs import evolve, field, frozen
+from attrs import evolve
 from textual import events
 from textual.app import App, ScreenStackError
 from textual.binding import BindingType
@@ -32,61 +31,19 @@ from fasteroids.tui.launching import (
     new_seed,
     with_seed,
 )
-from fasteroids.tui.picture import View
+from fasteroids.tui.options import Notices, Options
 from fasteroids.tui.pictures import saved
 from fasteroids.tui.play import Play
 from fasteroids.tui.recent import briefs
 from fasteroids.tui.screens import Help, Keys, Palette, Place, Scores
-from fasteroids.tui.settings import DEFAULTS, Settings
 from fasteroids.tui.sound import Sound
 from fasteroids.tui.start import Start
 from fasteroids.units import ModelError
 
-__all__ = ["Arcade", "Notices", "Options"]
+__all__ = ["Arcade"]
 
 _SIGNALS = ("SIGTERM", "SIGHUP", "SIGINT")
 """What ends the app in order: its exit code is 128 and the number of the signal."""
-
-
-@frozen
-class Options:
-    """What the command line decides.
-
-    `folder` is where recordings and pictures go, None for nowhere; `seed` and `model` None where nobody says; `notes`
-    are shown on the start screen; without `timer` the time of games goes on by `Play.go_on` alone.
-    """
-
-    view: View = field(factory=View)
-    settings: Settings = DEFAULTS
-    folder: Path | None = None
-    sound: bool = False
-    window: bool = False
-    seed: int | None = None
-    model: str = "smooth"
-    notes: tuple[str, ...] = ()
-    timer: bool = True
-
-
-class Notices:
-    """Takes sentences for the user, and keeps them until there is somewhere to show them."""
-
-    def __init__(self) -> None:
-        self._waiting: list[str] = []
-        self._show: Callable[[str], object] | None = None
-
-    def __call__(self, sentence: str) -> None:
-        """Show a sentence, now or later."""
-        if self._show is None:
-            self._waiting.append(sentence)
-        else:
-            self._show(sentence)
-
-    def shown_by(self, show: Callable[[str], object]) -> None:
-        """From now on sentences are shown this way, those that wait first."""
-        self._show = show
-        for sentence in self._waiting:
-            show(sentence)
-        self._waiting.clear()
 
 
 class Arcade(App[int], inherit_bindings=False):

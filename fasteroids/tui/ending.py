@@ -11,8 +11,9 @@ from textual.app import ComposeResult
 from textual.widgets import Input
 
 from fasteroids.history import MAIN
-from fasteroids.tui.boxes import Box, Choices
+from fasteroids.tui.boxes import Box
 from fasteroids.tui.keys import Command, Keymap, spoken
+from fasteroids.tui.lists import Choices
 from fasteroids.tui.menu import Entry, lines, listed
 from fasteroids.tui.panels import Rows
 from fasteroids.tui.rows import Style

@@ -14,10 +14,11 @@ from textual.message import Message
 from textual.screen import Screen
 from textual.worker import Worker
 
-from fasteroids.tui.boxes import Ask, Choices, Choose
+from fasteroids.tui.boxes import Ask, Choose
 from fasteroids.tui.keyboard import KeyAgain
 from fasteroids.tui.keys import Command, Keymap
 from fasteroids.tui.launching import FILE, Library, NewGame, Recorded, SceneGame, Wanted
+from fasteroids.tui.lists import Choices
 from fasteroids.tui.menu import Entry, lines, listed
 from fasteroids.tui.panels import Rows
 from fasteroids.tui.recent import Brief

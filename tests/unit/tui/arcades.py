@@ -16,10 +16,11 @@ from fasteroids.lang import check_program, parse_program
 from fasteroids.scene import load_scene
 from fasteroids.state import World
 from fasteroids.tui._store import Store
-from fasteroids.tui.app import Arcade, Notices, Options
-from fasteroids.tui.boxes import Choices
+from fasteroids.tui.app import Arcade
 from fasteroids.tui.launching import Launched, NewGame, Recorded, SceneGame, Wanted, launched
+from fasteroids.tui.lists import Choices
 from fasteroids.tui.menu import put
+from fasteroids.tui.options import Notices, Options
 from fasteroids.tui.panels import Rows
 from fasteroids.tui.play import Play
 from fasteroids.units import ModelError

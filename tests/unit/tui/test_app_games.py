@@ -15,12 +15,13 @@ from fasteroids import Asteroid, Ship, World, load_scene
 from fasteroids.history.recording import read, verified
 from fasteroids.tui._store import Store
 from fasteroids.tui.app import Arcade
-from fasteroids.tui.boxes import Choices, Choose
+from fasteroids.tui.boxes import Choose
 from fasteroids.tui.ending import End
 from fasteroids.tui.game import Game, Player
 from fasteroids.tui.keyboard import KeyAgain, KeyboardReport, KeyUp
 from fasteroids.tui.keys import Command
 from fasteroids.tui.launching import Launched, NewGame, SceneGame
+from fasteroids.tui.lists import Choices
 from fasteroids.tui.play import Play
 from fasteroids.tui.recent import briefs
 from fasteroids.tui.screens import Help, Keys, Palette, Scores

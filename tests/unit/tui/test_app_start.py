@@ -10,8 +10,9 @@ from textual.widgets import Input
 
 from fasteroids.cli._arcade import Shelf
 from fasteroids.tui.app import Arcade
-from fasteroids.tui.boxes import Choices, Tell
+from fasteroids.tui.boxes import Tell
 from fasteroids.tui.launching import NewGame
+from fasteroids.tui.lists import Choices
 from fasteroids.tui.play import Play
 from fasteroids.tui.recent import briefs
 from fasteroids.tui.start import TITLE, Start
