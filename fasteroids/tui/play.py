@@ -70,7 +70,7 @@ class Play(Screen[None], inherit_bindings=False):
     Play { layout: vertical; background: #0b0e14; }
     Play #middle { height: 1fr; }
     Play #status, Play #strip, Play #said { height: 1; }
-    Play #side { width: 40; display: none; }
+    Play #side { width: 40; display: none; padding: 0 0 0 1; }
     Play #pane { height: 1fr; }
     Play.wide #side { display: block; }
     Play.narrow #side { display: block; width: 32; }
