@@ -23,6 +23,8 @@ from fasteroids import (
     parse_program,
 )
 from fasteroids.history import MAIN, Act, Cut, Place, Timeline, Told, begin
+from fasteroids.history.recording import read, verified
+from fasteroids.history.recording.loading import recorded
 from tests.unit.history.pasts import arena
 
 SCENE = """
@@ -218,6 +220,24 @@ def test_a_branch_can_begin_between_two_events_of_one_moment() -> None:
     assert [ship.direction for ship in rest.world.ships] == [0.1, 0.1, 1.1]
     places = [s.place.nth for s in rest.forwards(rest.first.place) if not isinstance(s.what, Cut)]
     assert places == [1, 2, 3, 4]
+
+
+@pytest.mark.parametrize("model", ["smooth", "robust"])
+@pytest.mark.parametrize("given", [Act(1, Turn(1.0)), None], ids=["an input", "nothing"])
+def test_a_branch_right_before_a_tick_is_lived_again_as_it_was(
+    model: str, given: Act | None
+) -> None:
+    program = check_program(parse_program("while (true) { thrust; fire; skip; }")).program
+    ship = Ship(300, 500, 20, 0, 10, 5e15, 0.0, program=program)
+    old = begin(World(1_000, 1_000, model=model).add(ship)).evolve(1.5)
+    new = old.branch(Place(0, 1.0, 0))  # the tick of 1.0 s is still to come
+    if given is not None:
+        new = new.take(given)
+    new = new.evolve(1.0)
+    assert new.at(1.7) == new.thin(0).at(1.7)
+    assert verified(read(recorded(new).encode())).difference is None
+    if given is None:
+        assert new.at(1.2).all_flights() == old.at(1.2).all_flights()
 
 
 def test_branches_of_branches_have_the_past_of_both() -> None:
