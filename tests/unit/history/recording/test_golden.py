@@ -87,7 +87,6 @@ def test_a_change_of_a_program_is_found_and_named() -> None:
 
 def test_a_change_of_what_happened_is_found_and_named() -> None:
     text = (golden_recordings.FOLDER / "deaths-and-splits.jsonl").read_text(encoding="ascii")
-    recording = read(text.encode())
     lines = text.splitlines()
     event = next(i for i, line in enumerate(lines) if '"skip"' in line)
     record = json.loads(lines[event])
