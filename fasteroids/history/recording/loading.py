@@ -8,8 +8,7 @@ from typing import Final
 from attrs import evolve
 
 from fasteroids.history.inputs import Cut
-from fasteroids.history.living import Lived
-from fasteroids.history.questions import reached
+from fasteroids.history.living import Lived, reached
 from fasteroids.history.recording.errors import RecordingError
 from fasteroids.history.recording.lines import Bookmark
 from fasteroids.history.recording.reading import Recording
