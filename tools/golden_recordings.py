@@ -409,6 +409,25 @@ GAMES: dict[str, Game] = {
         radius = 20
         mass = 5e15
         program-text = "turn 0.5; turn 1 / 0;"
+
+        [[ship]]
+        name = "reckoner"
+        x = 820
+        y = 60
+        radius = 20
+        mass = 5e15
+        program-text = '''
+        double i; bool b; entity e; entity f;
+        print -7 % 3; print 7 % -3; print sqrt(2) - -1; print sqrt(-1); print -1 / 0;
+        print !(1 < 2) || 2 <= 2 && 3 >= 4; print true || false; print false && true;
+        foreach (ship, e) { f := e; print getradius e; }
+        print f == e; print f != null; print f == self; print getvx self; print 1 != 1;
+        while (true) {
+          b := !(i < 0) && i >= 0 || -i > 5 && b;
+          i := -(-i) + sqrt(i * i + 1) % 7 - 1 / 3;
+          if (b || i > 50) { i := i * 0.5; } else { i := 1; }
+        }
+        '''
         """,
         3.0,
     ),
