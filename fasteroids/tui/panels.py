@@ -10,10 +10,10 @@ from rich.style import Style as Look
 from textual import events
 from textual.message import Message
 from textual.strip import Strip
-from textual.widget import Widget
 
 from fasteroids.history import Place
 from fasteroids.tui import palette
+from fasteroids.tui.lines import Lines
 from fasteroids.tui.rows import Row, Style
 
 __all__ = ["Rows"]
@@ -31,9 +31,10 @@ _LOOKS: Final[Mapping[int, Look]] = {
     Style.BAD: Look(color="#d55e00", bgcolor=palette.BACKGROUND, bold=True),
 }
 _PLAIN: Final = _LOOKS[Style.PLAIN]
+_EMPTY: Final = Row("")
 
 
-class Rows(Widget):
+class Rows(Lines):
     """Shows rows, from the top; what is below them is blank. A click posts where it leads, if it leads anywhere."""
 
     DEFAULT_CSS = f"Rows {{ width: 1fr; height: 1; background: {palette.BACKGROUND}; }}"
@@ -48,6 +49,8 @@ class Rows(Widget):
     def __init__(self, *, id: str | None = None) -> None:
         super().__init__(id=id)
         self._rows: tuple[Row, ...] = ()
+        self._strips: dict[Row, Strip] = {}
+        self._width = 0
 
     @property
     def rows(self) -> tuple[Row, ...]:
@@ -58,14 +61,20 @@ class Rows(Widget):
         """Show these rows. Nothing is done if they are shown already."""
         new = tuple(rows)
         if new != self._rows:
-            self._rows = new
+            self._rows, kept = new, self._strips
+            self._strips = {row: kept[row] for row in new if row in kept}
             self.refresh()
 
     def render_line(self, y: int) -> Strip:
         """The cells of a line of the widget."""
-        shown = self._rows[y] if y < len(self._rows) else Row("")
-        strip = Strip(list(_segments(shown)))
-        return strip.adjust_cell_length(self.size.width, _PLAIN)
+        if self.size.width != self._width:
+            self._width, self._strips = self.size.width, {}
+        shown = self._rows[y] if y < len(self._rows) else _EMPTY
+        strip = self._strips.get(shown)
+        if strip is None:
+            strip = Strip(_segments(shown)).adjust_cell_length(self._width, _PLAIN)
+            self._strips[shown] = strip
+        return strip
 
     def on_click(self, event: events.Click) -> None:
         """A click."""
