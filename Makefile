@@ -1,7 +1,6 @@
 # Needs python3 and make, nothing else: the first call of any target makes .venv from requirements.lock.
 
 PYTHON ?= python3
-SCENE ?= fasteroids/scenes/default.toml
 WORKERS ?= 2
 BIN := .venv/bin/
 
@@ -20,8 +19,8 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 help:  ## list the targets
 	@awk -F ': .*## ' '/^[a-z-]+: .*## / { printf "  make %-10s %s\n", $$1, $$2 }' Makefile
 
-play: venv  ## narrate 20 simulated seconds of a scene (SCENE=file.toml)
-	@$(BIN)fasteroids run "$(SCENE)" --for 20
+play: venv  ## the game, in this terminal (SCENE=field-storm for a scene)
+	@$(BIN)fasteroids play $(SCENE)
 
 test: venv  ## format, lint, types, import contracts, unit and property tests
 	$(BIN)ruff format --check --quiet .

@@ -96,7 +96,6 @@ class Arcade(App[int], inherit_bindings=False):
     ENABLE_COMMAND_PALETTE = False
     TITLE = "Fasteroids"
     CSS = """
-    Screen { background: #0b0e14; }
     Toast, Toast.-information, Toast.-warning, Toast.-error {
         border: ascii #7a9cc6; background: #0b0e14; padding: 0 1;
     }

@@ -202,7 +202,7 @@ class Choose(Box[T]):
 
     def wanted(self) -> tuple[int, int]:
         """All entries."""
-        return listed(self._entries).width + 4, len(self._entries)
+        return listed(self._entries).width + 4, len(self._entries) + self._search
 
     def fitted(self, columns: int, rows: int) -> None:
         """Room for the entries."""

@@ -33,10 +33,10 @@ _NEXT: Final = (
 
 
 def told(session: Session) -> str:
-    """How the game ended, and what each player reached."""
+    """What each player reached, and in which game."""
     game = session.game
-    wave = f", in wave {game.wave}" if game.mode == "waves" else ""
-    rows = [f"{game.ended or 'it goes on'}{wave}, seed {session.world.seed}"]
+    wave = f"wave {game.wave}, " if game.mode == "waves" else ""
+    rows = [f"{wave}seed {session.world.seed}"]
     rows += [f"{player.name}: {player.points:,} points" for player in game.players]
     return "\n".join(rows)
 
@@ -58,6 +58,8 @@ def score_of(session: Session, recording: str = "") -> Score | None:
 class End(Box[Ended]):
     """What next? `entered` is set to the name once one is given for the table."""
 
+    DEFAULT_CSS = "End #choices { margin-top: 1; }"
+
     def __init__(
         self, session: Session, *, score: Score | None, table: Table, name: str, keymap: Keymap
     ) -> None:
@@ -69,9 +71,9 @@ class End(Box[Ended]):
         self._told = told(session)
         if place is not None:
             self._told += f"\n\nplace {place} in the high scores; your name:"
-        humans = any(player.human for player in session.game.players)
+        died = any(player.human and player.ship is None for player in session.game.players)
         why = evolve(_NEXT[0], detail=_why_key(keymap))
-        self._entries = (why, *_NEXT[1:]) if humans else _NEXT[1:]
+        self._entries = (why, *_NEXT[1:]) if died else _NEXT[1:]
 
     def inside(self) -> ComposeResult:
         """How it ended, the name, the choices."""
@@ -89,17 +91,17 @@ class End(Box[Ended]):
     def wanted(self) -> tuple[int, int]:
         """All of it."""
         rows = self._told.split("\n")
-        named = 2 if self.score is not None else 1
+        named = 2 if self.score is not None else 1  # with a blank row
         width = max(listed(self._entries).width + 2, *map(len, rows))
         return width, len(rows) + named + len(self._entries)
 
     def fitted(self, columns: int, rows: int) -> None:
         """The choices are the last to go."""
         text = self._told.split("\n")
-        left = rows - len(self._entries) - (self.score is not None)
-        shown = text[-max(left - 1, 1) :]
+        left = max(rows - len(self._entries) - 1 - (self.score is not None), 1)
+        shown = text[-left:]
         widget = self.query_one("#told", Rows)
-        widget.styles.width, widget.styles.height = columns, max(min(len(text) + 1, left), 1)
+        widget.styles.width, widget.styles.height = columns, len(shown)
         widget.show(lines("\n".join(shown), columns, Style.TITLE))
         if self.score is not None:
             self.query_one("#name").styles.width = min(columns, 22)

@@ -13,11 +13,16 @@ from contextlib import suppress
 from pathlib import Path
 from typing import IO, Final
 
+from attrs import evolve
+
 from fasteroids.history.recording import RecordingFile, headed
-from fasteroids.tui.session import Session
+from fasteroids.tui.session import Session, game_at
 from fasteroids.units import ModelError
 
-__all__ = ["KEPT", "SUFFIX", "Keeper", "recordings"]
+__all__ = ["GAME", "KEPT", "SUFFIX", "Keeper", "recordings"]
+
+GAME: Final = "game"
+"""The field of a recording's header that tells which game is played."""
 
 KEPT: Final = 10
 """Recordings that are kept; older ones make room."""
@@ -31,6 +36,12 @@ def recordings(folder: Path) -> list[Path]:
         found = [each for each in folder.iterdir() if each.name.endswith((SUFFIX, f"{SUFFIX}.gz"))]
         return sorted(found, key=lambda each: each.name, reverse=True)
     return []
+
+
+def _rules(session: Session) -> dict[str, object]:
+    """What a recording says of the game that is played in it: its mode, and how many of the first ships humans fly."""
+    game = game_at(session, session.timeline.first.place)
+    return {"mode": game.mode, "humans": sum(player.human for player in game.players)}
 
 
 class Keeper:
@@ -82,7 +93,7 @@ class Keeper:
                 break
         assert self._file is not None
         first = session.timeline.first.world
-        header = headed(first, title=self._title)
+        header = evolve(headed(first, title=self._title), extra={GAME: _rules(session)})
         self._recording = RecordingFile(self._file, first, header, clock=time.monotonic)
         for old in recordings(self._folder)[KEPT:]:
             with suppress(OSError):

@@ -21,6 +21,7 @@ from fasteroids.history.living import beginning
 from fasteroids.history.recording import Recording, RecordingError, read
 from fasteroids.state import World, instructed
 from fasteroids.tui.game import LIVES, Game, Player, new_game, ruled
+from fasteroids.tui.keeping import GAME
 from fasteroids.tui.session import Session, opened, reviewed
 from fasteroids.units import ModelError
 
@@ -185,7 +186,7 @@ def _recorded(wanted: Recorded, place: Path) -> Launched:
     except RecordingError as error:
         raise ModelError(f"{place.name} cannot be read: {error}") from None
     world = timeline.first.world
-    session = reviewed(timeline, _humans(world), game=_game(recording))
+    session = reviewed(timeline, game=_game(recording))
     said = recording.short or f"seed {world.seed}"
     return Launched(wanted, recording.header.title or place.name, evolve(session, said=said))
 
@@ -213,21 +214,16 @@ def timeline_of(recording: Recording, *, budget: int = BUDGET) -> Timeline:
     return timeline.thin()
 
 
-def _humans(world: World) -> int:
-    """How many of the first ships nobody else flies, two at most."""
+def _game(recording: Recording) -> Game:
+    """The game that a recording begins with, as its header says; else the first ships without programs are humans'."""
+    world = recording.world
+    match recording.header.extra.get(GAME):
+        case {"mode": "waves", "humans": 0 | 1} if len(world.ships) == 1:
+            [ship] = world.ships
+            human = ship.program is None
+            player = Player(ship.name or "you", ship.id, human, LIVES, program=ship.program)
+            return Game("waves", (player,), since=world.time)
+        case {"humans": int(humans)}:
+            return ruled(world, humans)
     free = [ship.program is None for ship in world.ships[:2]]
-    return free.index(False) if False in free else len(free)
-
-
-def _game(recording: Recording) -> Game | None:
-    """The game of waves, if a recording is of one."""
-    title, world = recording.header.title or "", recording.world
-    if not title.startswith("waves: ") or len(world.ships) != 1:
-        return None
-    ship = world.ships[0]
-    name = ship.name or "you"
-    return Game(
-        "waves",
-        (Player(name, ship.id, ship.program is None, LIVES, program=ship.program),),
-        since=world.time,
-    )
+    return ruled(world, free.index(False) if False in free else len(free))

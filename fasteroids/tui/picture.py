@@ -220,9 +220,22 @@ _LEAST_PANE: Final = 6  # rows
 
 
 def _hint(width: int) -> list[Row]:
-    return list(
-        paragraph(width, "Nothing is selected, and no ship here runs a program.", Style.DIM)
-    )
+    """What the pane says when there is nothing to tell of."""
+    return [
+        *paragraph(
+            width,
+            "Select somebody to see what they do, what is next, and what has been.",
+            Style.DIM,
+        ),
+        row(width),
+        *paragraph(
+            width,
+            "Any moment can be looked at again: go back, and take over from there.",
+            Style.DIM,
+        ),
+        row(width),
+        *paragraph(width, "? shows the keys.", Style.DIM),
+    ]
 
 
 def told(text: str, width: int) -> Row:

@@ -60,7 +60,7 @@ class Play(Screen[None], inherit_bindings=False):
 
     BINDINGS: ClassVar[list[BindingType]] = []
     DEFAULT_CSS = """
-    Play { layout: vertical; }
+    Play { layout: vertical; background: #0b0e14; }
     Play #middle { height: 1fr; }
     Play #status, Play #strip, Play #said { height: 1; }
     Play #side { width: 40; display: none; }

@@ -23,7 +23,18 @@ from fasteroids.tui.panels import Rows
 from fasteroids.tui.play import Play
 from fasteroids.units import ModelError
 
-__all__ = ["Library", "Scenario", "arcade", "chosen", "live", "run", "settled", "text", "typed"]
+__all__ = [
+    "Library",
+    "Scenario",
+    "arcade",
+    "chosen",
+    "flown",
+    "live",
+    "run",
+    "settled",
+    "text",
+    "typed",
+]
 
 Scenario = Callable[[Arcade, Pilot[int]], Awaitable[None]]
 
