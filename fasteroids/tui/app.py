@@ -192,7 +192,8 @@ class Arcade(App[int], inherit_bindings=False):
     def begin(self, begun: Launched) -> None:
         """Show a session, over the start screen."""
         self._leave()
-        self._collector.renew()
+        if self._wanted is not None:  # the past of another game may be garbage
+            self._collector.renew()
         self._wanted = begun.wanted
         keeper = None
         if self.folder is not None and not isinstance(begun.wanted, Recorded):

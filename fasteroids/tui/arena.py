@@ -14,6 +14,7 @@ from typing import Final
 
 from rich.segment import Segment
 from rich.style import Style
+from textual.message import Message
 from textual.strip import Strip
 
 from fasteroids.tui import palette
@@ -39,6 +40,9 @@ class Arena(Lines):
     Make frames of `content_size` cells. NO_COLOR is Textual's business: figures, letters and signs tell entities apart.
     """
 
+    class Resized(Message):
+        """It has another size now, so another frame is due."""
+
     DEFAULT_CSS = f"Arena {{ width: 1fr; height: 1fr; background: {palette.BACKGROUND}; }}"
 
     def __init__(
@@ -54,6 +58,10 @@ class Arena(Lines):
     def frame(self) -> Frame:
         """The frame that is shown."""
         return self._frame
+
+    def on_resize(self) -> None:
+        """Another size, because of the terminal or of what is beside it."""
+        self.post_message(self.Resized())
 
     def show(self, frame: Frame) -> bool:
         """Show a frame; False if it equals the one that is shown, and so nothing was done."""
@@ -84,7 +92,7 @@ class Arena(Lines):
 
     def render_line(self, y: int) -> Strip:
         """The cells of a line of the widget."""
-        width, rows = self.size.width, self._frame.rows
+        width, rows = self.outer_size.width, self._frame.rows
         if width != self._width:
             self._width, self._strips = width, {}
         row = rows[y] if y < len(rows) else _EMPTY

@@ -29,7 +29,7 @@ class Collector:
         if not self._began:
             self._began, self._enabled = True, gc.isenabled()
             gc.disable()
-            self.renew()
+            gc.freeze()
 
     def tend(self) -> None:
         """Look at what was made since the last time."""

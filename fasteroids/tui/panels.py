@@ -67,12 +67,13 @@ class Rows(Lines):
 
     def render_line(self, y: int) -> Strip:
         """The cells of a line of the widget."""
-        if self.size.width != self._width:
-            self._width, self._strips = self.size.width, {}
+        width = self.outer_size.width
+        if width != self._width:
+            self._width, self._strips = width, {}
         shown = self._rows[y] if y < len(self._rows) else _EMPTY
         strip = self._strips.get(shown)
         if strip is None:
-            strip = Strip(_segments(shown)).adjust_cell_length(self._width, _PLAIN)
+            strip = Strip(_segments(shown)).adjust_cell_length(width, _PLAIN)
             self._strips[shown] = strip
         return strip
 

@@ -99,6 +99,7 @@ class Play(Screen[None], inherit_bindings=False):
         self._foreseen = -1.0
         self._chronicle = chronicle_of(session.timeline)
         self._film: Strip | None = None
+        self._panes_in = 0
 
     def compose(self) -> ComposeResult:
         """A line above, the arena and the panes, two lines below."""
@@ -142,7 +143,9 @@ class Play(Screen[None], inherit_bindings=False):
                 for player, action in told
                 if player <= len(humans) and (ship := humans[player - 1].ship) is not None
             ]
-        self.become(beat(before, elapsed, actions))
+        session = beat(before, elapsed, actions)
+        if session is not before:
+            self.become(session)
 
     def become(self, session: Session) -> None:
         """Show another session."""
@@ -204,7 +207,7 @@ class Play(Screen[None], inherit_bindings=False):
             return
         if (view := viewed(self.view, command)) is not None:
             self.view = view
-            self._foreseen = -1.0
+            self._anew()
             self._laid_out()
             self.picture()
             return
@@ -213,8 +216,12 @@ class Play(Screen[None], inherit_bindings=False):
             self.post_message(self.Asked(command))
             return
         self.hands = let_go(self.hands)
-        self._foreseen = -1.0
+        self._anew()
         self.become(session)
+
+    def _anew(self) -> None:
+        """What is made now and then only is made at once."""
+        self._foreseen, self._panes_in = -1.0, 0
 
     def on_key_up(self, event: KeyUp) -> None:
         """A key went up, where the terminal tells."""
@@ -224,6 +231,7 @@ class Play(Screen[None], inherit_bindings=False):
         """The terminal says whether it tells of keys that go up."""
         if event.key_up:
             self.hands = reported(self.hands)
+            self.picture()
 
     def on_app_blur(self) -> None:
         """Somebody looks elsewhere: nothing stays held."""
@@ -237,8 +245,14 @@ class Play(Screen[None], inherit_bindings=False):
 
     def on_resize(self) -> None:
         """Another size: the panes come and go."""
+        self._anew()
         self._laid_out()
         self.call_after_refresh(self.picture)
+
+    def on_arena_resized(self) -> None:
+        """The arena has another size: by the terminal, or as the pane came or went."""
+        self._anew()
+        self.picture()
 
     @property
     def room(self) -> tuple[int, int]:
@@ -273,7 +287,9 @@ class Play(Screen[None], inherit_bindings=False):
             [status(self.session, columns, ascii=ascii, note=note)]
         )
         self.query_one("#said", Rows).show([told(self.session.said, columns)])
-        if self.frames % _SELDOM == 0 or not (self.session.live and self.session.running):
+        self._panes_in -= 1
+        if self._panes_in < 0 or not (self.session.live and self.session.running):
+            self._panes_in = _SELDOM - 1
             self._panes(columns, ascii=ascii)
 
     def _panes(self, columns: int, *, ascii: bool) -> None:
