@@ -18,7 +18,7 @@ from fasteroids.actions import Program
 from fasteroids.cli import _options as options
 from fasteroids.cli._bots import read_bot
 from fasteroids.cli._files import shipped, shipped_programs
-from fasteroids.cli._guard import BUG, Refusal
+from fasteroids.cli._guard import BUG, Refusal, reason
 from fasteroids.cli._scenes import open_scene
 from fasteroids.state import World
 from fasteroids.units import ModelError
@@ -106,6 +106,8 @@ def _told(get: Callable[[], T]) -> T:
         return get()
     except Refusal as refusal:
         raise ModelError(refusal.message) from None
+    except OSError as error:
+        raise ModelError(f"cannot read {reason(error)}") from None
 
 
 def _said(text: str, sign: str) -> str:
@@ -149,8 +151,9 @@ def opened(wanted: Wanted | None, shown: Screen) -> int:
         )
     first = None if wanted is None else begun(wanted)
     from fasteroids.tui._store import Store, data_folder
-    from fasteroids.tui.app import Arcade, Notices, Options
+    from fasteroids.tui.app import Arcade
     from fasteroids.tui.keyboard import chosen_driver
+    from fasteroids.tui.options import Notices, Options
     from fasteroids.tui.picture import View
     from fasteroids.tui.terminal import terminal_of
 
@@ -171,7 +174,7 @@ def opened(wanted: Wanted | None, shown: Screen) -> int:
             folder=data_folder(),
             sound=settings.sound and not shown.silent,
             window=shown.window,
-            seed=shown.seed,
+            seed=shown.seed if first is None else None,
             model=shown.model or MODEL,
             notes=tuple(filter(None, ("" if chosen else terminal.note, note))),
         ),

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import asyncio
 import signal
-from collections.abc import Callable
 from contextlib import suppress
+from functools import partial
 from pathlib import Path
 from typing import ClassVar
 
-from attrs import evolve, field, frozen
-from textual import work
-from textual.app import App
+from attrs import evolve
+from textual import events
+from textual.app import App, ScreenStackError
 from textual.binding import BindingType
 from textual.driver import Driver
 
@@ -19,10 +19,10 @@ from fasteroids.tui._store import Store
 from fasteroids.tui.boxes import Tell
 from fasteroids.tui.collector import PERIOD, Collector
 from fasteroids.tui.controls import Hands, reported
-from fasteroids.tui.ending import End, score_of
+from fasteroids.tui.ending import End, Ended, score_of
 from fasteroids.tui.keeping import Keeper
 from fasteroids.tui.keyboard import KeyboardReport
-from fasteroids.tui.keys import Command, Keymap
+from fasteroids.tui.keys import Command, Keymap, spoken
 from fasteroids.tui.launching import (
     Launched,
     Library,
@@ -32,61 +32,19 @@ from fasteroids.tui.launching import (
     new_seed,
     with_seed,
 )
-from fasteroids.tui.picture import View
+from fasteroids.tui.options import Notices, Options
 from fasteroids.tui.pictures import saved
 from fasteroids.tui.play import Play
 from fasteroids.tui.recent import briefs
 from fasteroids.tui.screens import Help, Keys, Palette, Place, Scores
-from fasteroids.tui.settings import DEFAULTS, Settings
 from fasteroids.tui.sound import Sound
 from fasteroids.tui.start import Start
 from fasteroids.units import ModelError
 
-__all__ = ["Arcade", "Notices", "Options"]
+__all__ = ["Arcade"]
 
-_SIGNALS = ("SIGTERM", "SIGHUP")
+_SIGNALS = ("SIGTERM", "SIGHUP", "SIGINT")
 """What ends the app in order: its exit code is 128 and the number of the signal."""
-
-
-@frozen
-class Options:
-    """What the command line decides.
-
-    `folder` is where recordings and pictures go, None for nowhere; `seed` and `model` None where nobody says; `notes`
-    are shown on the start screen; without `timer` the time of games goes on by `Play.go_on` alone.
-    """
-
-    view: View = field(factory=View)
-    settings: Settings = DEFAULTS
-    folder: Path | None = None
-    sound: bool = False
-    window: bool = False
-    seed: int | None = None
-    model: str = "smooth"
-    notes: tuple[str, ...] = ()
-    timer: bool = True
-
-
-class Notices:
-    """Takes sentences for the user, and keeps them until there is somewhere to show them."""
-
-    def __init__(self) -> None:
-        self._waiting: list[str] = []
-        self._show: Callable[[str], object] | None = None
-
-    def __call__(self, sentence: str) -> None:
-        """Show a sentence, now or later."""
-        if self._show is None:
-            self._waiting.append(sentence)
-        else:
-            self._show(sentence)
-
-    def shown_by(self, show: Callable[[str], object]) -> None:
-        """From now on sentences are shown this way, those that wait first."""
-        self._show = show
-        for sentence in self._waiting:
-            show(sentence)
-        self._waiting.clear()
 
 
 class Arcade(App[int], inherit_bindings=False):
@@ -143,7 +101,7 @@ class Arcade(App[int], inherit_bindings=False):
                 loop = asyncio.get_running_loop()
                 loop.add_signal_handler(number, self.exit, 128 + number)
         if self._notices is not None:
-            self._notices.shown_by(self.notify)
+            self._notices.shown_by(self.tell)
         self.push_screen(
             Start(
                 self._library,
@@ -161,6 +119,10 @@ class Arcade(App[int], inherit_bindings=False):
         """Silence, and the end of the recording."""
         self.close()
 
+    def tell(self, sentence: str) -> None:
+        """Show a sentence for a while, as it is: a path may look like markup."""
+        self.notify(sentence, markup=False)
+
     def close(self) -> None:
         """Let go of everything outside. It may be called again."""
         self._collector.end()
@@ -177,6 +139,12 @@ class Arcade(App[int], inherit_bindings=False):
         """The terminal tells of keys that go up, or does not."""
         if event.key_up:
             self._hands = reported(self._hands)
+
+    def on_key(self, event: events.Key) -> None:
+        """A key that nobody has. Whoever presses Ctrl-C wants to leave, and is told how."""
+        if event.key == "ctrl+c":
+            ways = [spoken(key) for key in self.keymap.keys[Command.QUIT]]
+            self.tell(" or ".join([*ways, "Esc on the start screen"]) + " quits")
 
     # Games.
 
@@ -197,7 +165,7 @@ class Arcade(App[int], inherit_bindings=False):
         self._wanted = begun.wanted
         keeper = None
         if self.folder is not None and not isinstance(begun.wanted, Recorded):
-            keeper = Keeper(self.folder, begun.title, self.notify)
+            keeper = Keeper(self.folder, begun.title, self.tell)
         self._keeper = keeper
         self.push_screen(
             Play(
@@ -225,29 +193,39 @@ class Arcade(App[int], inherit_bindings=False):
         """The game under whatever is shown."""
         return next((each for each in reversed(self.screen_stack) if isinstance(each, Play)), None)
 
+    @property
+    def open(self) -> bool:
+        """Is nothing over the game or the start screen? More keys may be on their way when a screen comes."""
+        try:
+            return isinstance(self.screen, Play | Start)
+        except ScreenStackError:  # the app has ended
+            return False
+
     def on_start_picked(self, event: Start.Picked) -> None:
         """The start screen says what is wanted."""
+        if not isinstance(self.screen, Start):
+            return
         if event.picked in ("scores", "keys"):
             self.show(event.picked)
         else:
             self.launch(event.picked)  # type: ignore[arg-type]  # the others
 
-    @work(exclusive=True)
-    async def on_play_over(self) -> None:
+    def on_play_over(self) -> None:
         """A game has ended: a name for the table, and what next."""
         play = self.playing
-        if play is None:
+        if play is None or not play.is_active:
             return
         recording = self._keeper.path.name if self._keeper and self._keeper.path else ""
-        score = score_of(play.session, recording)
         end = End(
             play.session,
-            score=score,
+            score=score_of(play.session, recording),
             table=self._store.scores(),
             name=self._player,
             keymap=self.keymap,
         )
-        answer = await self.push_screen_wait(end)
+        self.push_screen(end, partial(self._over, end, play))
+
+    def _over(self, end: End, play: Play, answer: Ended | None) -> None:
         if end.score is not None and end.entered is not None:
             self._player = end.entered
             self._store.enter(evolve(end.score, name=end.entered))
@@ -272,7 +250,9 @@ class Arcade(App[int], inherit_bindings=False):
         self.obey(event.command)
 
     def obey(self, command: Command) -> None:
-        """A command about the whole game; others go to the game, if there is one."""
+        """A command about the whole game."""
+        if not self.open:
+            return
         match command:
             case Command.QUIT:
                 self.exit(0)
@@ -281,45 +261,44 @@ class Arcade(App[int], inherit_bindings=False):
             case Command.HELP:
                 self.push_screen(Help(self.keymap, *self.options.notes[:1]))
             case Command.PALETTE:
-                self.choose_command()
+                self.push_screen(Palette(self.keymap), self._commanded)
             case Command.SCREENSHOT:
                 self.photograph()
             case Command.MUTE:
                 self.sound.muted = not self.sound.muted
                 silent = self.sound.note or ("sound off" if self.sound.muted else "sound on")
-                self.notify(silent)
+                self.tell(silent)
 
-    @work(exclusive=True)
-    async def choose_command(self) -> None:
-        """All commands, by name."""
-        chosen = await self.push_screen_wait(Palette(self.keymap))
+    def _commanded(self, chosen: Command | Place | None) -> None:
+        """What was chosen of all commands: the game does it, if there is one."""
         play = self.playing
         if isinstance(chosen, str):
             self.show(chosen)
+        elif chosen is not None and play is not None:
+            play.command(chosen)
         elif chosen is not None:
-            if play is not None:
-                play.command(chosen)
-            else:
-                self.obey(chosen)
+            self.obey(chosen)
 
     def photograph(self) -> None:
         """Save a picture of the screen, and the scene of this moment."""
         if self.options.folder is None:
-            self.notify("no picture: there is no folder for it")
+            self.tell("no picture: there is no folder for it")
             return
         play = self.playing
         world = None if play is None else play.session.world
-        self.notify(saved(self.options.folder / "pictures", self.export_screenshot(), world))
+        self.tell(saved(self.options.folder / "pictures", self.export_screenshot(), world))
 
-    @work(exclusive=True)
-    async def show(self, place: Place) -> None:
+    def show(self, place: Place) -> None:
         """A screen that no key leads to."""
         if place == "keys":
-            await self.push_screen_wait(Keys(self.keymap, self._remapped))
-            return
-        name = await self.push_screen_wait(Scores(self._store.scores(), self.folder))
-        if name and self.folder is not None:
-            self.launch(Recorded(self.folder / name))
+            self.push_screen(Keys(self.keymap, self._remapped))
+        else:
+            self.push_screen(Scores(self._store.scores(), self.folder), self._scored)
+
+    def _scored(self, recording: str | None) -> None:
+        """The recording of a high score was chosen."""
+        if recording and self.folder is not None:
+            self.launch(Recorded(self.folder / recording))
 
     def _remapped(self, keymap: Keymap) -> None:
         """Keys mean something else now, here and on disk."""

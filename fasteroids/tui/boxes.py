@@ -3,92 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import ClassVar, Final, Generic, TypeVar
+from typing import ClassVar, Final, TypeVar
 
 from textual import events
 from textual.app import ComposeResult
 from textual.binding import BindingType
 from textual.containers import Vertical
 from textual.fuzzy import Matcher
-from textual.message import Message
 from textual.screen import ModalScreen
 from textual.widgets import Input
 
 from fasteroids.tui.keyboard import KeyAgain
-from fasteroids.tui.menu import Entry, Menu, centred, hit, lines, listed, moved, pictured, put
+from fasteroids.tui.lists import Choices, Text
+from fasteroids.tui.menu import Entry, centred, listed
 from fasteroids.tui.panels import Rows
 from fasteroids.tui.rows import Style
 
-__all__ = ["Ask", "Box", "Choices", "Choose", "Tell"]
+__all__ = ["Ask", "Box", "Choose", "Tell", "fitting"]
 
 T = TypeVar("T")
 R = TypeVar("R")
 
-_STEPS: Final = {"up": -1, "down": 1}
 _MARGIN: Final = 6
 """Columns and rows of a box that are not for what is in it: the border, and some blanks."""
-
-
-class Choices(Rows, Generic[T]):
-    """A menu on screen. A click chooses; keys come through `key`, from whoever has them."""
-
-    class Chosen(Message):
-        """An entry was clicked."""
-
-    def __init__(self, entries: Sequence[Entry[T]], *, id: str | None = None) -> None:
-        super().__init__(id=id)
-        self.menu: Menu[T] = listed(entries)
-
-    def offer(self, entries: Sequence[Entry[T]], *, at: int = 0) -> None:
-        """Show other entries, one of them chosen."""
-        self.menu = put(listed(entries), min(at, max(len(entries) - 1, 0)), self.size.height)
-        self.picture()
-
-    def key(self, key: str) -> bool:
-        """Move by a key; was it one that moves?"""
-        height = self.size.height
-        page = max(height - 1, 1)
-        if key in _STEPS:
-            self.menu = moved(self.menu, _STEPS[key], height, around=True)
-        elif key in ("pageup", "pagedown"):
-            self.menu = moved(self.menu, page if key == "pagedown" else -page, height)
-        elif key in ("home", "end"):
-            many = len(self.menu.entries)
-            self.menu = moved(self.menu, many if key == "end" else -many, height)
-        else:
-            return False
-        self.picture()
-        return True
-
-    def picture(self) -> None:
-        """Show the menu as it is."""
-        self.show(pictured(self.menu, self.size.width, self.size.height))
-
-    def on_resize(self) -> None:
-        """Another size: the chosen entry stays in sight."""
-        if self.menu.entries:
-            self.menu = put(self.menu, self.menu.at, self.size.height)
-        self.picture()
-
-    def on_click(self, event: events.Click) -> None:
-        """Choose what is clicked."""
-        event.stop()
-        event.prevent_default()
-        at = hit(self.menu, event.y)
-        if at is not None:
-            self.menu = put(self.menu, at, self.size.height)
-            self.picture()
-            self.post_message(self.Chosen())
-
-    def on_mouse_scroll_up(self) -> None:
-        """The wheel moves the choice."""
-        self.menu = moved(self.menu, -1, self.size.height)
-        self.picture()
-
-    def on_mouse_scroll_down(self) -> None:
-        """The wheel moves the choice."""
-        self.menu = moved(self.menu, 1, self.size.height)
-        self.picture()
 
 
 class Box(ModalScreen[R], inherit_bindings=False):
@@ -110,6 +47,7 @@ class Box(ModalScreen[R], inherit_bindings=False):
     def __init__(self, title: str, foot: str) -> None:
         super().__init__()
         self._heading, self._foot = title, foot
+        self._left = False
 
     def inside(self) -> ComposeResult:
         """The widgets between heading and foot."""
@@ -153,6 +91,12 @@ class Box(ModalScreen[R], inherit_bindings=False):
             self.query_one(name, Rows).show([centred(text, width, style)])
         self.fitted(width, height)
 
+    def leave(self, answer: R | None) -> None:
+        """Give the answer, once: more keys may have been on their way."""
+        if not self._left:
+            self._left = True
+            self.dismiss(answer)
+
     def say(self, text: str) -> None:
         """Another line about keys."""
         self._foot = text
@@ -170,7 +114,7 @@ class Box(ModalScreen[R], inherit_bindings=False):
         """Do what a key asks, if it asks anything; Esc leaves."""
         if event.key != "escape":
             return False
-        self.dismiss(None)
+        self.leave(None)
         return True
 
 
@@ -226,7 +170,7 @@ class Choose(Box[T]):
         """The chosen entry is the answer."""
         entry = self.choices.menu.chosen
         if entry is not None:
-            self.dismiss(entry.value)
+            self.leave(entry.value)
 
     def on_input_changed(self, event: Input.Changed) -> None:
         """Those that fit, the best first."""
@@ -265,8 +209,9 @@ class Ask(Box[str]):
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """The answer."""
-        if event.value.strip():
-            self.dismiss(event.value.strip())
+        text = "".join(filter(str.isprintable, event.value)).strip()
+        if text:
+            self.leave(text)
 
 
 class Tell(Box[None]):
@@ -294,44 +239,6 @@ class Tell(Box[None]):
     def key(self, event: events.Key) -> bool:
         """Scroll; Enter leaves too."""
         if event.key == "enter":
-            self.dismiss(None)
+            self.leave(None)
             return True
         return self.query_one("#text", Text).key(event.key) or super().key(event)
-
-
-class Text(Rows):
-    """A text that scrolls."""
-
-    def __init__(self, text: str, *, id: str | None = None) -> None:
-        super().__init__(id=id)
-        self.text, self.top = text, 0
-
-    def key(self, key: str) -> bool:
-        """Scroll by a key; was it one that scrolls?"""
-        page = max(self.size.height - 1, 1)
-        far = len(self.text.split("\n"))
-        steps = {**_STEPS, "pageup": -page, "pagedown": page, "space": page, "home": -far, "end": far}  # fmt: skip
-        self.move(steps.get(key, 0))
-        return key in steps
-
-    def move(self, step: int) -> None:
-        """So many lines down, or up."""
-        last = max(len(self.text.split("\n")) - self.size.height, 0)
-        self.top = min(max(self.top + step, 0), last)
-        self.picture()
-
-    def picture(self) -> None:
-        """Show the part that is in sight."""
-        self.show(lines(self.text, self.size.width)[self.top : self.top + self.size.height])
-
-    def on_resize(self) -> None:
-        """Another size."""
-        self.move(0)
-
-    def on_mouse_scroll_up(self) -> None:
-        """The wheel scrolls."""
-        self.move(-3)
-
-    def on_mouse_scroll_down(self) -> None:
-        """The wheel scrolls."""
-        self.move(3)

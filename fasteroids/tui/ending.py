@@ -11,8 +11,9 @@ from textual.app import ComposeResult
 from textual.widgets import Input
 
 from fasteroids.history import MAIN
-from fasteroids.tui.boxes import Box, Choices
+from fasteroids.tui.boxes import Box
 from fasteroids.tui.keys import Command, Keymap, spoken
+from fasteroids.tui.lists import Choices
 from fasteroids.tui.menu import Entry, lines, listed
 from fasteroids.tui.panels import Rows
 from fasteroids.tui.rows import Style
@@ -147,7 +148,7 @@ class End(Box[Ended]):
     def _leave(self, answer: Ended) -> None:
         if self.score is not None:
             self._take(self.query_one("#name", Input).value)
-        self.dismiss(answer)
+        self.leave(answer)
 
 
 def _why_key(keymap: Keymap) -> str:

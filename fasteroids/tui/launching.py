@@ -178,8 +178,10 @@ def _scene(wanted: SceneGame, library: Library) -> Launched:
 def _recorded(wanted: Recorded, place: Path) -> Launched:
     try:
         data = place.read_bytes()
-    except OSError as error:
-        raise ModelError(f"cannot read {place}: {error.strerror or error}") from None
+    except (OSError, ValueError) as error:  # the latter for a name that no file can have
+        raise ModelError(
+            f"cannot read {place}: {getattr(error, 'strerror', None) or error}"
+        ) from None
     try:
         recording = read(data)
         timeline = timeline_of(recording)

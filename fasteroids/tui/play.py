@@ -213,7 +213,8 @@ class Play(Screen[None], inherit_bindings=False):
             return
         session = commanded(self.session, command)
         if session is None:
-            self.post_message(self.Asked(command))
+            if not again:  # a key that is held asks once
+                self.post_message(self.Asked(command))
             return
         self.hands = let_go(self.hands)
         self._anew()

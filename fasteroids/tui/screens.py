@@ -46,7 +46,7 @@ class Help(Tell):
     def key(self, event: events.Key) -> bool:
         """The key that opened it closes it too."""
         if self._keymap.command(event.key) is Command.HELP:
-            self.dismiss(None)
+            self.leave(None)
             return True
         return super().key(event)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from pathlib import Path
 from typing import ClassVar, Final, Literal, TypeAlias
 
@@ -11,11 +12,13 @@ from textual.app import ComposeResult
 from textual.binding import BindingType
 from textual.message import Message
 from textual.screen import Screen
+from textual.worker import Worker
 
-from fasteroids.tui.boxes import Ask, Choices, Choose
+from fasteroids.tui.boxes import Ask, Choose
 from fasteroids.tui.keyboard import KeyAgain
 from fasteroids.tui.keys import Command, Keymap
 from fasteroids.tui.launching import FILE, Library, NewGame, Recorded, SceneGame, Wanted
+from fasteroids.tui.lists import Choices
 from fasteroids.tui.menu import Entry, lines, listed
 from fasteroids.tui.panels import Rows
 from fasteroids.tui.recent import Brief
@@ -89,6 +92,7 @@ class Start(Screen[None], inherit_bindings=False):
         self.keymap = keymap
         self._library, self._seed, self._recent = library, seed, recent
         self._notes, self._model = notes, model
+        self._asking: Worker[None] | None = None
 
     def compose(self) -> ComposeResult:
         """A title, the choices, a line of notes."""
@@ -131,8 +135,6 @@ class Start(Screen[None], inherit_bindings=False):
 
     def on_key(self, event: events.Key) -> None:
         """Move, choose, or a command."""
-        event.stop()
-        event.prevent_default()
         if self.menu.key(event.key) or isinstance(event, KeyAgain):
             return
         if event.key in ("enter", "space"):
@@ -156,7 +158,8 @@ class Start(Screen[None], inherit_bindings=False):
             case "two":
                 self._picked(NewGame("duel", (None, None), self._seed(), self._model))
             case "against" | "watch" | "scene" | "recording" as kind:
-                self._ask(kind)
+                if self._asking is None or self._asking.is_finished:
+                    self._asking = self._answered(kind)
             case "scores" | "keys" as kind:
                 self._picked(kind)
             case "quit":
@@ -165,8 +168,8 @@ class Start(Screen[None], inherit_bindings=False):
     def _picked(self, picked: Pick) -> None:
         self.post_message(self.Picked(picked))
 
-    @work(exclusive=True)
-    async def _ask(self, kind: Asking) -> None:
+    @work
+    async def _answered(self, kind: Asking) -> None:
         wanted: Wanted | None
         match kind:
             case "against":
@@ -218,8 +221,13 @@ class Start(Screen[None], inherit_bindings=False):
         return await self._path(path) if name == "" else name
 
     async def _path(self, title: str) -> str | None:
+        """The whole path of a file: a short one could be taken for a name, or for standard input."""
         path = await self.app.push_screen_wait(Ask(title))
-        return path and str(Path(path).expanduser())
+        if path is None:
+            return None
+        with suppress(RuntimeError):  # there is no such user
+            return str(Path(path).expanduser().absolute())
+        return str(Path(path).absolute())
 
     async def _recording(self) -> Wanted | None:
         entries = [Entry(_said(each), str(each.place), each.title) for each in self._recent()]

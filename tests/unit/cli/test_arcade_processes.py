@@ -173,7 +173,9 @@ def test_esc_and_esc_again_leave(terminal: Any, tmp_path: Path) -> None:
     assert [str(type(each.what).__name__) for each in found.givens].count("Add") == 4
 
 
-@pytest.mark.parametrize(("number", "code"), [(signal.SIGTERM, 143), (signal.SIGHUP, 129)])
+@pytest.mark.parametrize(
+    ("number", "code"), [(signal.SIGTERM, 143), (signal.SIGHUP, 129), (signal.SIGINT, 130)]
+)
 def test_a_signal_ends_a_game_in_order(
     terminal: Any, tmp_path: Path, number: signal.Signals, code: int
 ) -> None:
@@ -227,12 +229,15 @@ def test_a_game_in_tmux(tmp_path: Path) -> None:
             env={**surroundings(tmp_path), "LC_ALL": "C.UTF-8"},
         ).stdout  # fmt: skip
 
-    def shows(*texts: str) -> str:
+    def shows(*texts: str, without: str = "\0") -> str:
+        """Wait until the screen shows some texts, and another one no more."""
         deadline = time.monotonic() + PATIENCE
-        while not all(text in (screen := tmux("capture-pane", "-p")) for text in texts):
+        while True:
+            screen = tmux("capture-pane", "-p")
+            if all(text in screen for text in texts) and without not in screen:
+                return screen
             assert time.monotonic() < deadline, screen
             time.sleep(0.05)
-        return screen
 
     before, after = tmp_path / "before", tmp_path / "after"
     game = f"PYTHONPATH={Path.cwd()} {sys.executable} {' '.join(PLAY)}"
@@ -249,7 +254,7 @@ def test_a_game_in_tmux(tmp_path: Path) -> None:
         tmux("send-keys", "?")
         shows("pause, or go on")
         tmux("send-keys", "Escape")
-        shows("you ^^^")
+        shows("you ^^^", without="pause, or go on")
         tmux("send-keys", "p")
         shows("paused")
         tmux("send-keys", "Home")

@@ -16,9 +16,11 @@ from fasteroids.lang import check_program, parse_program
 from fasteroids.scene import load_scene
 from fasteroids.state import World
 from fasteroids.tui._store import Store
-from fasteroids.tui.app import Arcade, Notices, Options
-from fasteroids.tui.boxes import Choices
+from fasteroids.tui.app import Arcade
 from fasteroids.tui.launching import Launched, NewGame, Recorded, SceneGame, Wanted, launched
+from fasteroids.tui.lists import Choices
+from fasteroids.tui.menu import put
+from fasteroids.tui.options import Notices, Options
 from fasteroids.tui.panels import Rows
 from fasteroids.tui.play import Play
 from fasteroids.units import ModelError
@@ -103,7 +105,7 @@ def run(app: Arcade, scenario: Scenario, *, size: tuple[int, int] = (80, 24)) ->
     """Run a scenario in an app of this size; the app afterwards."""
 
     async def whole() -> None:
-        async with app.run_test(size=size) as pilot:
+        async with app.run_test(size=size, notifications=True) as pilot:
             await settled(pilot)
             await scenario(app, pilot)
 
@@ -124,13 +126,11 @@ async def typed(pilot: Pilot[int], *keys: str) -> None:
 
 
 async def chosen(app: Arcade, pilot: Pilot[int], label: str) -> None:
-    """Choose the entry that begins with this label in the menu that is shown, with arrows and Enter."""
-    menu = app.screen.query_one(Choices).menu
-    labels = [entry.label for entry in menu.entries]
-    [at] = [i for i, each in enumerate(labels) if each == label]
-    step = at - menu.at
-    await pilot.press(*["down" if step > 0 else "up"] * abs(step))
-    await pilot.pause()
+    """Choose the entry of this label in the menu that is shown: go near it at once, then with an arrow and Enter."""
+    choices = app.screen.query_one(Choices)
+    [at] = [i for i, entry in enumerate(choices.menu.entries) if entry.label == label]
+    choices.menu = put(choices.menu, (at - 1) % len(choices.menu.entries), choices.size.height)
+    await pilot.press("down")
     assert any(line.startswith(f"> {label}") for line in text(app)), text(app)
     await typed(pilot, "enter")
 
@@ -138,6 +138,7 @@ async def chosen(app: Arcade, pilot: Pilot[int], label: str) -> None:
 def text(app: Arcade) -> list[str]:
     """The lines of text that the screen on top shows, in no picture of the arena."""
     lines = [row.text.rstrip() for each in app.screen.query(Rows) for row in each.rows]
+    assert all(map(str.isascii, lines)), lines
     return lines + [each.value for each in app.screen.query(Input)]
 
 

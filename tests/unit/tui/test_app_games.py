@@ -6,19 +6,23 @@ from pathlib import Path
 
 import pytest
 from attrs import evolve
+from textual.events import Key
 from textual.pilot import Pilot
 from textual.widgets import Input
+from textual.widgets._toast import Toast
 
 from fasteroids import Asteroid, Ship, World, load_scene
 from fasteroids.history.recording import read, verified
 from fasteroids.tui._store import Store
 from fasteroids.tui.app import Arcade
-from fasteroids.tui.boxes import Choices
+from fasteroids.tui.boxes import Choose
 from fasteroids.tui.ending import End
 from fasteroids.tui.game import Game, Player
 from fasteroids.tui.keyboard import KeyAgain, KeyboardReport, KeyUp
 from fasteroids.tui.keys import Command
 from fasteroids.tui.launching import Launched, NewGame, SceneGame
+from fasteroids.tui.lists import Choices
+from fasteroids.tui.play import Play
 from fasteroids.tui.recent import briefs
 from fasteroids.tui.screens import Help, Keys, Palette, Scores
 from fasteroids.tui.session import opened
@@ -249,12 +253,14 @@ def test_a_picture_and_the_scene_of_its_moment_are_saved(tmp_path: Path) -> None
     run(arcade(tmp_path, wanted=doomed()), save)
 
 
-def test_a_picture_that_cannot_be_saved_is_told(tmp_path: Path) -> None:
+def test_a_picture_that_cannot_be_saved_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     (tmp_path / "pictures").write_text("in the way")
     told: list[str] = []
 
     async def save(app: Arcade, pilot: Pilot[int]) -> None:
-        app.notify = lambda message, **_: told.append(message)  # type: ignore[method-assign]
+        monkeypatch.setattr(app, "tell", told.append)
         await typed(pilot, "f12")
         assert live(app).session.world.time == 0.0
 
@@ -289,6 +295,44 @@ def test_a_held_enter_does_not_run_through_the_menus(tmp_path: Path) -> None:
     run(arcade(tmp_path), hold)
 
 
+def test_keys_that_come_together_open_one_screen_each(tmp_path: Path) -> None:
+    """They may be on their way already when a screen comes or goes."""
+
+    async def burst(app: Arcade, pilot: Pilot[int]) -> None:
+        async def at_once(*keys: str) -> None:
+            for key in keys:
+                app.post_message(Key(key, None))
+            await settled(pilot)
+
+        await at_once("enter", "enter", "enter")
+        assert [type(each) for each in app.screen_stack[1:]] == [Start, Play]
+        await at_once("ctrl+p", "ctrl+p", "question_mark")
+        assert [type(each) for each in app.screen_stack[1:]] == [Start, Play, Palette]
+        await at_once("escape", "escape")
+        assert [type(each) for each in app.screen_stack[1:]] == [Start, Play]
+        app.post_message(KeyAgain("escape", None))
+        await settled(pilot)
+        await at_once("escape")
+        assert [type(each) for each in app.screen_stack[1:]] == [Start]
+        await at_once("down", "down", "enter", "enter")
+        assert [type(each) for each in app.screen_stack[1:]] == [Start, Choose]
+        await at_once("escape", "escape")
+        assert [type(each) for each in app.screen_stack[1:]] == [Start]
+
+    run(arcade(tmp_path), burst)
+    assert len(briefs(tmp_path / "recordings")) == 1
+
+
+def test_sentences_are_shown_as_they_are(tmp_path: Path) -> None:
+    async def tell(app: Arcade, pilot: Pilot[int]) -> None:
+        app.tell("cannot write [/nowhere] and [b")
+        await settled(pilot)
+        [toast] = app.screen.query(Toast)
+        assert "cannot write [/nowhere] and [b" in str(toast.render())
+
+    run(arcade(tmp_path), tell)
+
+
 def test_what_the_terminal_says_of_keys_on_the_start_screen_holds_in_games(tmp_path: Path) -> None:
     async def hold(app: Arcade, pilot: Pilot[int]) -> None:
         app.post_message(KeyboardReport(27))
@@ -315,15 +359,13 @@ def thruster(world: World) -> bool:
 def test_sizes_come_and_go_under_every_screen(tmp_path: Path) -> None:
     async def resize(app: Arcade, pilot: Pilot[int]) -> None:
         for key in ("question_mark", "escape", "ctrl+p", "escape"):
-            for size in [(30, 8), (1, 1), (200, 60), (80, 24)]:
-                await pilot.resize_terminal(*size)
-                await pilot.pause()
+            await pilot.resize_terminal(*{"escape": (30, 8)}.get(key, (1, 1)))
             await typed(pilot, key)
         flown(live(app), 2.0)
         await settled(pilot)
         for size in [(30, 8), (1, 1), (200, 60)]:
             await pilot.resize_terminal(*size)
-            await pilot.pause()
+        await settled(pilot)
         assert isinstance(app.screen, End)
 
     run(arcade(tmp_path, wanted=evolve(doomed())), resize)

@@ -8,9 +8,11 @@ import pytest
 from textual.pilot import Pilot
 from textual.widgets import Input
 
+from fasteroids.cli._arcade import Shelf
 from fasteroids.tui.app import Arcade
-from fasteroids.tui.boxes import Choices, Tell
+from fasteroids.tui.boxes import Tell
 from fasteroids.tui.launching import NewGame
+from fasteroids.tui.lists import Choices
 from fasteroids.tui.play import Play
 from fasteroids.tui.recent import briefs
 from fasteroids.tui.start import TITLE, Start
@@ -139,6 +141,35 @@ def test_the_errors_of_a_program_are_shown_as_a_report(tmp_path: Path) -> None:
         assert isinstance(app.screen, Start)
 
     run(arcade(tmp_path), ask)
+
+
+@pytest.mark.parametrize("path", ["-", "~nobody-at-all/x", "a" * 300, "x\0y", "."])
+def test_odd_paths_are_told_in_a_sentence(tmp_path: Path, path: str) -> None:
+    async def ask(app: Arcade, pilot: Pilot[int]) -> None:
+        for kind in ("Load a scene", "Load a recording"):
+            await chosen(app, pilot, kind)
+            await answered(app, pilot, path)
+            if kind == "Load a scene":
+                await typed(pilot, "enter")
+            assert isinstance(app.screen, Tell)
+            await typed(pilot, "enter")
+            assert isinstance(app.screen, Start)
+
+    app = arcade(tmp_path)
+    app._library = Shelf()
+    run(app, ask, size=(200, 24))
+
+
+def test_ctrl_c_tells_how_to_leave(tmp_path: Path) -> None:
+    async def leave(app: Arcade, pilot: Pilot[int]) -> None:
+        told: list[str] = []
+        app.tell = told.append  # type: ignore[method-assign, assignment]
+        await typed(pilot, "ctrl+c")
+        await chosen(app, pilot, "One player")
+        await typed(pilot, "ctrl+c")
+        assert told == ["Ctrl+Q or Esc on the start screen quits"] * 2
+
+    run(arcade(tmp_path), leave)
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""The panes can be made without a terminal library."""
+"""The panes and menus can be made without a terminal library."""
 
 from __future__ import annotations
 
@@ -6,11 +6,12 @@ import subprocess
 import sys
 
 MODULES = (
-    "breakpoints", "chronicle", "edits", "inspector", "program_pane", "rows", "strip", "verdicts", "words"
+    "breakpoints", "chronicle", "edits", "inspector", "launching", "menu", "pictures", "program_pane", "recent", "rows",
+    "strip", "verdicts", "words"
 )  # fmt: skip
 
 
-def test_no_pane_loads_a_terminal_library() -> None:
+def test_no_pane_or_menu_loads_a_terminal_library() -> None:
     names = ", ".join(f"fasteroids.tui.{name}" for name in MODULES)
     code = (
         f"import sys, {names}; print(*sorted({{'textual', 'rich', 'click'}} & sys.modules.keys()))"
