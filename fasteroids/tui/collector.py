@@ -11,16 +11,21 @@ from __future__ import annotations
 import gc
 from typing import Final
 
-__all__ = ["PERIOD", "Collector"]
+__all__ = ["NEW", "PERIOD", "Collector"]
 
 PERIOD: Final = 1.0
-"""Seconds between two looks at what is new: a millisecond's work by then."""
+"""Seconds from one `tend` to the next."""
+
+NEW: Final = 10_000
+"""New objects from which on a look at them is worth it. What they refer to is walked through too: one that refers to
+much, as a long persistent vector does, makes even a look at few take 20 ms."""
 
 
 class Collector:
     """Python's collector as an app has it from `begin` to `end`; `end` leaves it as it was. Both may come again."""
 
-    def __init__(self) -> None:
+    def __init__(self, new: int = NEW) -> None:
+        self._new = new
         self._began = False
         self._enabled = False
 
@@ -32,8 +37,8 @@ class Collector:
             gc.freeze()
 
     def tend(self) -> None:
-        """Look at what was made since the last time."""
-        if self._began:
+        """Look at what was made since the last time, if it is enough."""
+        if self._began and gc.get_count()[0] >= self._new:
             gc.collect(1)
             gc.freeze()
 

@@ -24,7 +24,7 @@ class Knot:
 
 @pytest.fixture
 def collector() -> Iterator[Collector]:
-    collector = Collector()
+    collector = Collector(new=1)
     collector.begin()
     yield collector
     collector.end()
@@ -52,6 +52,21 @@ def test_what_is_not_looked_at_again_does_not_grow_the_work(collector: Collector
     collector.tend()
     assert gc.get_freeze_count() > 100_000
     assert sum(gc.get_count()) < 1_000 < len(kept)
+
+
+def test_few_new_objects_wait_until_there_are_more() -> None:
+    collector = Collector(new=1_000)
+    collector.begin()
+    try:
+        new = ref(Knot())
+        collector.tend()
+        assert new() is not None
+        more = [[i] for i in range(2_000)]
+        collector.tend()
+        assert new() is None
+        assert len(more) == 2_000
+    finally:
+        collector.end()
 
 
 @pytest.mark.parametrize("enabled", [True, False])
