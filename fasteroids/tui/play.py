@@ -49,7 +49,7 @@ WINDOW: Final = (100, 32)
 """Columns and rows of a game in a window."""
 
 _SELDOM: Final = 6
-"""Frames of a running game between two looks of the panes."""
+"""Pictures of the panes in a second of a running game, more or less."""
 
 _FORESEEN: Final = 0.2
 """Seconds of wall time for which a prediction is drawn before it is made anew."""
@@ -290,7 +290,7 @@ class Play(Screen[None], inherit_bindings=False):
         self.query_one("#said", Rows).show([told(self.session.said, columns)])
         self._panes_in -= 1
         if self._panes_in < 0 or not (self.session.live and self.session.running):
-            self._panes_in = _SELDOM - 1
+            self._panes_in = self._fps // _SELDOM - 1
             self._panes(columns, ascii=ascii)
 
     def _panes(self, columns: int, *, ascii: bool) -> None:
