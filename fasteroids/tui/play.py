@@ -99,7 +99,7 @@ class Play(Screen[None], inherit_bindings=False):
         self._foreseen = -1.0
         self._chronicle = chronicle_of(session.timeline)
         self._film: Strip | None = None
-        self._panes_in = 0
+        self._due = True
 
     def compose(self) -> ComposeResult:
         """A line above, the arena and the panes, two lines below."""
@@ -222,7 +222,7 @@ class Play(Screen[None], inherit_bindings=False):
 
     def _anew(self) -> None:
         """What is made now and then only is made at once."""
-        self._foreseen, self._panes_in = -1.0, 0
+        self._foreseen, self._due = -1.0, True
 
     def on_key_up(self, event: KeyUp) -> None:
         """A key went up, where the terminal tells."""
@@ -288,9 +288,9 @@ class Play(Screen[None], inherit_bindings=False):
             [status(self.session, columns, ascii=ascii, note=note)]
         )
         self.query_one("#said", Rows).show([told(self.session.said, columns)])
-        self._panes_in -= 1
-        if self._panes_in < 0 or not (self.session.live and self.session.running):
-            self._panes_in = self._fps // _SELDOM - 1
+        running = self.session.live and self.session.running
+        if self._due or self.frames % max(self._fps // _SELDOM, 1) == 0 or not running:
+            self._due = False
             self._panes(columns, ascii=ascii)
 
     def _panes(self, columns: int, *, ascii: bool) -> None:
