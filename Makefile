@@ -1,6 +1,7 @@
 # Needs python3 and make, nothing else: the first call of any target makes .venv from requirements.lock.
 
 PYTHON ?= python3
+SCENE ?=
 WORKERS ?= 2
 BIN := .venv/bin/
 
@@ -20,7 +21,7 @@ help:  ## list the targets
 	@awk -F ': .*## ' '/^[a-z-]+: .*## / { printf "  make %-10s %s\n", $$1, $$2 }' Makefile
 
 play: venv  ## the game, in this terminal (SCENE=field-storm for a scene)
-	@$(BIN)fasteroids play $(SCENE)
+	@$(BIN)fasteroids play $(if $(SCENE),"$(SCENE)")
 
 test: venv  ## format, lint, types, import contracts, unit and property tests
 	$(BIN)ruff format --check --quiet .

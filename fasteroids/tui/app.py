@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import signal
-from contextlib import suppress
+from contextlib import ExitStack, suppress
 from functools import partial
 from pathlib import Path
 from typing import ClassVar
@@ -16,6 +16,7 @@ from textual.binding import BindingType
 from textual.driver import Driver
 
 from fasteroids.tui._store import Store
+from fasteroids.tui.arena import Arena
 from fasteroids.tui.boxes import Tell
 from fasteroids.tui.collector import PERIOD, Collector
 from fasteroids.tui.controls import Hands, reported
@@ -286,7 +287,11 @@ class Arcade(App[int], inherit_bindings=False):
             return
         play = self.playing
         world = None if play is None else play.session.world
-        self.tell(saved(self.options.folder / "pictures", self.export_screenshot(), world))
+        with ExitStack() as stack:
+            if play is not None:
+                stack.enter_context(play.query_one(Arena).posing())
+            picture = self.export_screenshot()
+        self.tell(saved(self.options.folder / "pictures", picture, world))
 
     def show(self, place: Place) -> None:
         """A screen that no key leads to."""
