@@ -60,12 +60,13 @@ class Measured:
 
 def play(effort: Effort) -> Table:
     """Frames shown, the share of a core, and gaps between frames, of each arena at each rate."""
-    # 60 s as asked; a try-out takes 10 s, and a test one arena for a moment.
-    seconds = 60.0 if effort.share >= 1.0 else 10.0 if effort.share >= 0.1 else 0.5
+    # As asked; one arena for 10 s to try it out; a test, for a moment.
+    whole, trial = effort.share >= 1.0, effort.share >= 0.1
+    seconds = 60.0 if whole else 10.0 if trial else 0.5
     figures: list[Figure] = []
     reason = "" if shutil.which("tmux") else "tmux is not installed"
-    for fps in RATES[: effort.rounds]:
-        for arena in SURFACES[: effort.rounds]:
+    for fps in RATES if trial else RATES[:1]:
+        for arena in SURFACES if whole else ("braille",):
             if not reason:
                 try:
                     told = measured(arena, fps, seconds, effort.size(ENTITIES))
@@ -98,28 +99,29 @@ def rows(what: str, told: Measured, fps: int) -> list[Figure]:
 
 
 def measured(arena: str, fps: int, seconds: float, entities: int) -> Measured:
-    """A run in tmux. `OSError` with its last words if it does not come to its end."""
+    """A run in tmux. `OSError` if tmux does not start; `RuntimeError` with the last words of a game that breaks off."""
     with TemporaryDirectory() as folder:
         result, settings = Path(folder, "result"), Path(folder, "tmux.conf")
         settings.write_text("set -g remain-on-exit on\n")
         server = ["tmux", "-S", str(Path(folder, "socket")), "-f", str(settings)]
 
-        def tmux(*words: str) -> str:
-            done = subprocess.run(
+        def tmux(*words: str) -> subprocess.CompletedProcess[str]:
+            return subprocess.run(
                 [*server, *words], capture_output=True, check=False, text=True, env=_environment()
             )
-            return done.stdout
 
         run_ = [arena, str(fps), str(seconds), str(entities), str(result)]
         size = ["-x", str(COLUMNS), "-y", str(ROWS)]
-        tmux("new-session", "-d", *size, sys.executable, "-m", "benchmarks.play", *run_)
+        begun = tmux("new-session", "-d", *size, sys.executable, "-m", "benchmarks.play", *run_)
+        if begun.returncode:
+            raise OSError(f"tmux does not start: {begun.stderr.strip()}")
         try:
             patience = perf_counter() + seconds + WARM + PATIENCE
             while not result.exists():
-                alive = tmux("display-message", "-p", "#{pane_dead}").strip() == "0"
+                alive = tmux("display-message", "-p", "#{pane_dead}").stdout.strip() == "0"
                 if (not alive and not result.exists()) or perf_counter() > patience:
-                    words = tmux("capture-pane", "-p").split()
-                    raise OSError(f"the game broke off: {' '.join(words)[-400:]}")
+                    words = tmux("capture-pane", "-p").stdout.split()
+                    raise RuntimeError(f"the game broke off: {' '.join(words)[-400:]}")
                 sleep(0.05)
             return Measured(**json.loads(result.read_text()))
         finally:
@@ -172,9 +174,10 @@ def run(arena: str, fps: int, seconds: float, entities: int, result: Path) -> No
 
     from fasteroids.cli._arcade import Shelf
     from fasteroids.tui._store import Store
-    from fasteroids.tui.app import Arcade, Options
+    from fasteroids.tui.app import Arcade
     from fasteroids.tui.keyboard import chosen_driver
     from fasteroids.tui.launching import Launched, NewGame
+    from fasteroids.tui.options import Options
     from fasteroids.tui.picture import View
     from fasteroids.tui.settings import DEFAULTS
 
@@ -196,7 +199,7 @@ def run(arena: str, fps: int, seconds: float, entities: int, result: Path) -> No
             super().on_mount()
             self.random, self.shown, self.before = Random(SEED), [0.0], 0
             self.set_interval(0.5, self.fill)
-            self.set_timer(WARM, self.begin_measuring)
+            self.set_timer(min(WARM, seconds), self.begin_measuring)
 
         def fill(self) -> None:
             if self.playing is not None:

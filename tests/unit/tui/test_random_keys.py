@@ -77,7 +77,7 @@ def deeds(random: Random, columns: int, rows: int) -> Iterator[Message | tuple[i
     elif kind < 0.77:
         yield events.Paste(random.choice(TEXTS))
     elif kind < 0.80:
-        yield random.choice(SIZES)
+        yield random.choice((*SIZES, (random.randint(1, 200), random.randint(1, 60))))
     elif kind < 0.81:
         yield random.choice((events.AppBlur, events.AppFocus))()
     elif kind < 0.90:
