@@ -23,6 +23,7 @@ from fasteroids import (
     parse_program,
 )
 from fasteroids.history import MAIN, Act, Cut, Place, Timeline, Told, begin
+from fasteroids.history.recording import Recorder, read, verified
 from tests.unit.history.pasts import arena
 
 SCENE = """
@@ -218,6 +219,22 @@ def test_a_branch_can_begin_between_two_events_of_one_moment() -> None:
     assert [ship.direction for ship in rest.world.ships] == [0.1, 0.1, 1.1]
     places = [s.place.nth for s in rest.forwards(rest.first.place) if not isinstance(s.what, Cut)]
     assert places == [1, 2, 3, 4]
+
+
+def test_a_branch_right_before_what_happens_at_a_moment_is_no_cut_there() -> None:
+    literal = load_scene(SCENE.replace('"smooth"', '"robust"'))
+    old = begin(literal).evolve(1.0)
+    new = old.branch(Place(0, 0.6, 0))  # where the tick of 0.6 s is due
+    assert new.world.time == 0.6
+    assert new.line.first.what is None
+    new = new.evolve_until(1.0)
+    assert new.world.all_flights() == old.world.all_flights()
+    pieces: list[str] = []
+    recorder = Recorder(pieces.append, literal)
+    for state in new.forwards(new.first.place):
+        recorder.add(state)
+    recorder.finish(new.world.clock)
+    assert verified(read("".join(pieces).encode())).difference is None
 
 
 def test_branches_of_branches_have_the_past_of_both() -> None:
