@@ -293,14 +293,18 @@ class Timeline:
         )
 
     def _looked_up(self, at: float | Place) -> Lived:
-        """The state at a time or a place: without a `what` where this past has one, with a cut between two of them."""
+        """The state at a time or a place: without a `what` where this past has one, with a cut between two of them.
+
+        Right before what happens at a moment time is not cut either: the happening does that.
+        """
         place = at if isinstance(at, Place) else Place(*self.at(at).now, inf)  # type: ignore[arg-type]  # after all of it
         if isinstance(at, Place) and not self.first.place <= at <= self.last.place:
             raise ModelError(f"there is no place {tuple(at)} in this past")
         state = self.state(place)
         if state.place.moment < place.moment:
-            there = self.reached(place)
-            state = there._replace(what=Cut(there.world.clock))
+            there, after = self.reached(place), next(self.forwards(place), None)
+            happens = after is not None and after.place.moment == place.moment
+            state = there._replace(what=None if happens else Cut(there.world.clock))
         else:
             state = state._replace(what=None)
         if isinstance(at, Place) and state.place != at:

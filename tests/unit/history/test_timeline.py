@@ -23,6 +23,7 @@ from fasteroids import (
     parse_program,
 )
 from fasteroids.history import MAIN, Act, Cut, Place, Timeline, Told, begin
+from fasteroids.history.recording import Recorder, read, verified
 from tests.unit.history.pasts import arena
 
 SCENE = """
@@ -230,6 +231,22 @@ def test_a_branch_has_the_same_future_however_its_past_was_thinned() -> None:
     for time in times:
         assert full.branch(time).world == full.at(time) == thin.branch(time).world
         assert full.branch(time).evolve(0.1).world == thin.branch(time).evolve(0.1).world
+
+
+def test_a_branch_right_before_what_happens_at_a_moment_is_no_cut_there() -> None:
+    literal = load_scene(SCENE.replace('"smooth"', '"robust"'))
+    old = begin(literal).evolve(1.0)
+    new = old.branch(Place(0, 0.6, 0))  # where the tick of 0.6 s is due
+    assert new.world.time == 0.6
+    assert new.line.first.what is None
+    new = new.evolve_until(1.0)
+    assert new.world.all_flights() == old.world.all_flights()
+    pieces: list[str] = []
+    recorder = Recorder(pieces.append, literal)
+    for state in new.forwards(new.first.place):
+        recorder.add(state)
+    recorder.finish(new.world.clock)
+    assert verified(read("".join(pieces).encode())).difference is None
 
 
 def test_branches_of_branches_have_the_past_of_both() -> None:
