@@ -16,11 +16,12 @@ from pathlib import Path
 from fasteroids import Asteroid, Ship, World, load_scene
 from fasteroids.cli._arcade import Shelf
 from fasteroids.tui._store import Store
-from fasteroids.tui.app import Arcade, Notices, Options
+from fasteroids.tui.app import Arcade
 from fasteroids.tui.arena import Arena
 from fasteroids.tui.game import Game, Player, new_game, ruled
 from fasteroids.tui.keys import Command
 from fasteroids.tui.launching import Launched, NewGame, SceneGame
+from fasteroids.tui.options import Notices, Options
 from fasteroids.tui.picture import View
 from fasteroids.tui.play import Play
 from fasteroids.tui.session import Session, opened

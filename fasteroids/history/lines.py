@@ -223,16 +223,11 @@ def _before(place: Place) -> Place:
 
 
 def _grouped(chunks: PVector[Chunk]) -> PVector[Chunk]:
-    """The same states in full chunks."""
-    states = [kept for chunk in chunks for kept in chunk.kept]
-    return pvector(
-        Chunk(tuple(part), _all_marks(part))
-        for part in (states[i : i + _CHUNK] for i in range(0, len(states), _CHUNK))
-    )
-
-
-def _all_marks(states: Sequence[Kept]) -> Marks:
-    marks = NOTHING
-    for each in states:
-        marks = joined(joined(marks, marked(each.state)), each.gap.marks)
-    return marks
+    """The same states in fewer chunks: neighbours that fit into one. No state is looked at, so it is soon done."""
+    grouped: list[Chunk] = []
+    for chunk in chunks:
+        if grouped and len(grouped[-1].kept) + len(chunk.kept) <= _CHUNK:
+            before = grouped.pop()
+            chunk = Chunk(before.kept + chunk.kept, joined(before.marks, chunk.marks))
+        grouped.append(chunk)
+    return pvector(grouped)

@@ -274,8 +274,8 @@ class Timeline:
     def branch(self, at: float | Place, name: str | None = None) -> Timeline:
         """Another line from a time (s) or a place of this past on, in which time goes on; the old future stays.
 
-        Without a name it gets the first free number. `ModelError` if the name is taken or the time is not in this
-        past.
+        It begins with the world that `at` gives. Without a name it gets the first free number. `ModelError` if the name
+        is taken or the time is not in this past.
         """
         name = self._free() if name is None else name
         if name in self.lines:
@@ -295,20 +295,24 @@ class Timeline:
     def _looked_up(self, at: float | Place) -> Lived:
         """The state at a time or a place: without a `what` where this past has one, with a cut between two of them.
 
-        Right before what happens at the same moment there is no cut: it would bring that about.
+        Right before what happens at a moment time is not cut either: the happening does that.
         """
         place = at if isinstance(at, Place) else Place(*self.at(at).now, inf)  # type: ignore[arg-type]  # after all of it
         if isinstance(at, Place) and not self.first.place <= at <= self.last.place:
             raise ModelError(f"there is no place {tuple(at)} in this past")
         state = self.state(place)
         if state.place.moment < place.moment:
-            there = self.reached(place)
-            due = next(lived(there, there.world.clock)).what
-            state = there._replace(what=due if isinstance(due, Cut) else None)
+            there, after = self.reached(place), next(self.forwards(place), None)
+            happens = after is not None and after.place.moment == place.moment
+            state = there._replace(what=None if happens else Cut(there.world.clock))
         else:
             state = state._replace(what=None)
         if isinstance(at, Place) and state.place != at:
             raise ModelError(f"there is no place {tuple(at)} in this past")
+        # What sums of steps left on the clock is lived again only where something was told: no future may hang on it.
+        world = state.world
+        if world.clock[2] != 0.0:
+            state = state._replace(world=evolve(world, clock=(*world.now, 0.0)))
         return state
 
     def switch(self, name: str) -> Timeline:

@@ -18,6 +18,7 @@ from textual.driver import Driver
 from fasteroids.tui._store import Store
 from fasteroids.tui.arena import Arena
 from fasteroids.tui.boxes import Tell
+from fasteroids.tui.collector import PERIOD, Collector
 from fasteroids.tui.controls import Hands, reported
 from fasteroids.tui.ending import End, Ended, score_of
 from fasteroids.tui.keeping import Keeper
@@ -78,6 +79,7 @@ class Arcade(App[int], inherit_bindings=False):
         self._wanted: Wanted | None = None
         self._hands = Hands()
         self._keeper: Keeper | None = None
+        self._collector = Collector()
         self._player = ""
 
     @property
@@ -92,6 +94,8 @@ class Arcade(App[int], inherit_bindings=False):
 
     def on_mount(self) -> None:
         """The first screens."""
+        self._collector.begin()
+        self.set_interval(PERIOD, self._collector.tend)
         for name in _SIGNALS:
             with suppress(AttributeError, NotImplementedError, RuntimeError, ValueError):
                 number = getattr(signal, name)
@@ -122,6 +126,7 @@ class Arcade(App[int], inherit_bindings=False):
 
     def close(self) -> None:
         """Let go of everything outside. It may be called again."""
+        self._collector.end()
         self.sound.close()
         if self._keeper is not None:
             self._keeper.close()
@@ -156,6 +161,8 @@ class Arcade(App[int], inherit_bindings=False):
     def begin(self, begun: Launched) -> None:
         """Show a session, over the start screen."""
         self._leave()
+        if self._wanted is not None:  # the past of another game may be garbage
+            self._collector.renew()
         self._wanted = begun.wanted
         keeper = None
         if self.folder is not None and not isinstance(begun.wanted, Recorded):

@@ -14,12 +14,13 @@ from typing import Final
 
 from rich.segment import Segment
 from rich.style import Style
+from textual.message import Message
 from textual.strip import Strip
-from textual.widget import Widget
 
 from fasteroids.tui import palette
 from fasteroids.tui.camera import Frame
 from fasteroids.tui.canvas import Row
+from fasteroids.tui.lines import Lines
 
 __all__ = ["Arena", "painted"]
 
@@ -29,14 +30,18 @@ _STYLES: Final = tuple(
     for colour in palette.COLOURS
 )
 
+_EMPTY: Final = Row("", ())
 _WORD: Final = re.compile(r" +|[^ ]+")
 
 
-class Arena(Widget):
+class Arena(Lines):
     """Shows one frame at a time. Where a frame is smaller than the widget the rest is blank, where larger it is cut.
 
     Make frames of `content_size` cells. NO_COLOR is Textual's business: figures, letters and signs tell entities apart.
     """
+
+    class Resized(Message):
+        """It has another size now, so another frame is due."""
 
     DEFAULT_CSS = f"Arena {{ width: 1fr; height: 1fr; background: {palette.BACKGROUND}; }}"
 
@@ -46,12 +51,17 @@ class Arena(Widget):
         super().__init__(name=name, id=id, classes=classes)
         self._frame = Frame(0, ())
         self._strips: dict[Row, Strip] = {}
+        self._width = 0
         self._cut: Callable[[Row], list[Segment]] = _segments
 
     @property
     def frame(self) -> Frame:
         """The frame that is shown."""
         return self._frame
+
+    def on_resize(self) -> None:
+        """Another size, because of the terminal or of what is beside it."""
+        self.post_message(self.Resized())
 
     def show(self, frame: Frame) -> bool:
         """Show a frame; False if it equals the one that is shown, and so nothing was done."""
@@ -82,14 +92,15 @@ class Arena(Widget):
 
     def render_line(self, y: int) -> Strip:
         """The cells of a line of the widget."""
-        width, rows = self.size.width, self._frame.rows
-        if y >= len(rows):
-            return Strip.blank(width, _BLANK)
-        row = rows[y]
+        width, rows = self.outer_size.width, self._frame.rows
+        if width != self._width:
+            self._width, self._strips = width, {}
+        row = rows[y] if y < len(rows) else _EMPTY
         strip = self._strips.get(row)
         if strip is None:
-            strip = self._strips[row] = Strip(self._cut(row), len(row.text))
-        return strip if len(row.text) == width else strip.adjust_cell_length(width, _BLANK)
+            strip = Strip(self._cut(row), len(row.text)) if row.text else Strip.blank(width, _BLANK)
+            strip = self._strips[row] = strip.adjust_cell_length(width, _BLANK)
+        return strip
 
 
 def painted(row: Row, width: int) -> Strip:

@@ -7,6 +7,7 @@ and compared to find out that nothing moved. Drawn last, and so never hidden, ar
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from functools import lru_cache
 from itertools import pairwise
 from math import cos, pi, sin, tau
 from typing import Final
@@ -65,8 +66,9 @@ class _Painter:
 
     def paint(self) -> None:
         """From the back to the front."""
-        look = self.look
-        self._walls()
+        look, world, surface = self.look, self.world, self.surface
+        size = (surface.columns, surface.rows)
+        surface.begin_as(_walls(look.arena, size, self.view, world.width, world.height))
         if look.ghosts is not None:
             self._ghosts(look.ghosts)
         for trail in look.trails:
@@ -96,21 +98,6 @@ class _Painter:
         self._selection(entities)
 
     # What there is.
-
-    def _walls(self) -> None:
-        """The border of the world, just outside of it."""
-        surface, world, view = self.surface, self.world, self.view
-        left, bottom = view.place(0.0, 0.0)
-        right, top = view.place(world.width, world.height)
-        # Half a dot outwards from the border, so that a wall is next to what touches it.
-        left, right, top, bottom = left - 0.5, right + 0.5, top - 0.5, bottom + 0.5
-        for y in (top, bottom):
-            surface.line(left, y, right, y, palette.WALL, sign="-")
-        for x in (left, right):
-            surface.line(x, top, x, bottom, palette.WALL, sign="|")
-        for x in (left, right):
-            for y in (top, bottom):
-                surface.dot(x, y, palette.WALL, "+")
 
     def _bullet(self, bullet: Bullet) -> None:
         surface = self.surface
@@ -278,6 +265,26 @@ class _Painter:
             if self.surface.free(at, line, length):
                 self.surface.text(at, line, text, colour)
                 return
+
+
+@lru_cache(maxsize=16)
+def _walls(
+    arena: str, size: tuple[int, int], view: Viewport, width: float, height: float
+) -> Canvas:
+    """The border of a world, just outside of it. It is the same in most frames of a game."""
+    surface = canvas(arena, *size)
+    left, bottom = view.place(0.0, 0.0)
+    right, top = view.place(width, height)
+    # Half a dot outwards from the border, so that a wall is next to what touches it.
+    left, right, top, bottom = left - 0.5, right + 0.5, top - 0.5, bottom + 0.5
+    for y in (top, bottom):
+        surface.line(left, y, right, y, palette.WALL, sign="-")
+    for x in (left, right):
+        surface.line(x, top, x, bottom, palette.WALL, sign="|")
+    for x in (left, right):
+        for y in (top, bottom):
+            surface.dot(x, y, palette.WALL, "+")
+    return surface
 
 
 _NOSES: Final = (

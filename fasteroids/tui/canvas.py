@@ -61,6 +61,10 @@ class Canvas:
 
     # Drawing.
 
+    def begin_as(self, other: Canvas) -> None:
+        """Take over the dots and characters, but no text, of a surface of the same kind and size."""
+        self._cells[:], self._ink[:] = other._cells, other._ink
+
     def dot(self, x: float, y: float, colour: int, sign: str = "*") -> None:
         """One dot. `sign` is what it looks like where dots are characters."""
         if 0.0 <= x < self.width and 0.0 <= y < self.height:

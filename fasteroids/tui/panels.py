@@ -10,10 +10,10 @@ from rich.style import Style as Look
 from textual import events
 from textual.message import Message
 from textual.strip import Strip
-from textual.widget import Widget
 
 from fasteroids.history import Place
 from fasteroids.tui import palette
+from fasteroids.tui.lines import Lines
 from fasteroids.tui.rows import Row, Style, next_leading
 
 __all__ = ["Pane", "Rows"]
@@ -32,9 +32,10 @@ _LOOKS: Final[Mapping[int, Look]] = {
 }
 _PLAIN: Final = _LOOKS[Style.PLAIN]
 _CHOSEN: Final = Look(reverse=True)
+_EMPTY: Final = Row("")
 
 
-class Rows(Widget):
+class Rows(Lines):
     """Shows rows, from the top; what is below them is blank. A click posts where it leads, if it leads anywhere."""
 
     DEFAULT_CSS = f"Rows {{ width: 1fr; height: 1; background: {palette.BACKGROUND}; }}"
@@ -49,6 +50,8 @@ class Rows(Widget):
     def __init__(self, *, id: str | None = None) -> None:
         super().__init__(id=id)
         self._rows: tuple[Row, ...] = ()
+        self._strips: dict[Row, Strip] = {}
+        self._width = 0
 
     @property
     def rows(self) -> tuple[Row, ...]:
@@ -59,14 +62,21 @@ class Rows(Widget):
         """Show these rows. Nothing is done if they are shown already."""
         new = tuple(rows)
         if new != self._rows:
-            self._rows = new
+            self._rows, kept = new, self._strips
+            self._strips = {row: kept[row] for row in new if row in kept}
             self.refresh()
 
     def render_line(self, y: int) -> Strip:
         """The cells of a line of the widget."""
-        shown = self._rows[y] if y < len(self._rows) else Row("")
-        strip = Strip(list(_segments(shown)))
-        return strip.adjust_cell_length(self.size.width, _PLAIN)
+        width = self.outer_size.width
+        if width != self._width:
+            self._width, self._strips = width, {}
+        shown = self._rows[y] if y < len(self._rows) else _EMPTY
+        strip = self._strips.get(shown)
+        if strip is None:
+            strip = Strip(_segments(shown)).adjust_cell_length(width, _PLAIN)
+            self._strips[shown] = strip
+        return strip
 
     def on_click(self, event: events.Click) -> None:
         """A click."""

@@ -91,13 +91,11 @@ def look_of(session: Session, view: View, overlay: Overlay | None = None) -> Loo
 def _players(session: Session) -> tuple[int, ...]:
     """The ids of the players' ships, in their order. A player without a ship keeps the place of the last one."""
     found = []
-    for i in range(len(session.game.players)):
-        ids = [
-            g.players[i].ship for _, g in session.games[session.timeline.name] if g.players[i].ship
-        ]
-        here = session.game.players[i].ship
-        found.append(here if here is not None else ids[-1] if ids else 0)
-    return tuple(i for i in found if i)
+    games = session.games[session.timeline.name]
+    for i, player in enumerate(session.game.players):
+        ids = (g.players[i].ship for _, g in reversed(games) if g.players[i].ship is not None)
+        found.append(next(ids, None) if player.ship is None else player.ship)
+    return tuple(i for i in found if i is not None)
 
 
 def _trails(world: World) -> tuple[tuple[Point, ...], ...]:

@@ -56,7 +56,7 @@ _WIDE: Final = 100
 """Columns from which on the panel stays while a game is played; in fewer it comes when one looks at the past."""
 
 _SELDOM: Final = 6
-"""Frames of a running game between two looks of the panes."""
+"""Pictures of the panes in a second of a running game, more or less."""
 
 _FORESEEN: Final = 0.2
 """Seconds of wall time for which a prediction is drawn before it is made anew."""
@@ -229,7 +229,7 @@ class Play(Screen[None], inherit_bindings=False):
             return
         if (view := viewed(self.view, command)) is not None:
             self.view = view
-            self._foreseen = -1.0
+            self._anew()
             self._laid_out()
             self.picture()
             return
@@ -241,9 +241,12 @@ class Play(Screen[None], inherit_bindings=False):
                 self.post_message(self.Asked(command))
             return
         self.hands = let_go(self.hands)
-        self._foreseen = -1.0
-        self._due = True
+        self._anew()
         self.become(session)
+
+    def _anew(self) -> None:
+        """What is made now and then only is made at once."""
+        self._foreseen, self._due = -1.0, True
 
     # The program, and the panel.
 
@@ -288,6 +291,7 @@ class Play(Screen[None], inherit_bindings=False):
         """The terminal says whether it tells of keys that go up."""
         if event.key_up:
             self.hands = reported(self.hands)
+            self.picture()
 
     def on_app_blur(self) -> None:
         """Somebody looks elsewhere: nothing stays held."""
@@ -301,8 +305,14 @@ class Play(Screen[None], inherit_bindings=False):
 
     def on_resize(self) -> None:
         """Another size: the panes come and go."""
+        self._anew()
         self._laid_out()
         self.call_after_refresh(self.picture)
+
+    def on_arena_resized(self) -> None:
+        """The arena has another size: by the terminal, or as the pane came or went."""
+        self._anew()
+        self.picture()
 
     @property
     def room(self) -> tuple[int, int]:
@@ -341,7 +351,7 @@ class Play(Screen[None], inherit_bindings=False):
         )
         self.query_one("#said", Rows).show([told(self.session.said, columns)])
         running = self.session.live and self.session.running
-        if self._due or self.frames % _SELDOM == 0 or not running:
+        if self._due or self.frames % max(self._fps // _SELDOM, 1) == 0 or not running:
             self._due = False
             self._panes(columns, ascii=ascii)
 

@@ -23,7 +23,7 @@ from fasteroids import (
     parse_program,
 )
 from fasteroids.history import MAIN, Act, Cut, Place, Timeline, Told, begin
-from fasteroids.history.recording import read, verified
+from fasteroids.history.recording import Recorder, read, verified
 from fasteroids.history.recording.loading import recorded
 from tests.unit.history.pasts import arena
 
@@ -223,21 +223,42 @@ def test_a_branch_can_begin_between_two_events_of_one_moment() -> None:
 
 
 @pytest.mark.parametrize("model", ["smooth", "robust"])
-@pytest.mark.parametrize("given", [Act(1, Turn(1.0)), None], ids=["an input", "nothing"])
-def test_a_branch_right_before_a_tick_is_lived_again_as_it_was(
-    model: str, given: Act | None
-) -> None:
+def test_an_input_right_before_a_tick_of_the_same_moment_is_lived_again_there(model: str) -> None:
     program = check_program(parse_program("while (true) { thrust; fire; skip; }")).program
     ship = Ship(300, 500, 20, 0, 10, 5e15, 0.0, program=program)
     old = begin(World(1_000, 1_000, model=model).add(ship)).evolve(1.5)
     new = old.branch(Place(0, 1.0, 0))  # the tick of 1.0 s is still to come
-    if given is not None:
-        new = new.take(given)
-    new = new.evolve(1.0)
+    new = new.act(1, Turn(1.0)).evolve(1.0)
     assert new.at(1.7) == new.thin(0).at(1.7)
     assert verified(read(recorded(new).encode())).difference is None
-    if given is None:
-        assert new.at(1.2).all_flights() == old.at(1.2).all_flights()
+
+
+def test_a_branch_has_the_same_future_however_its_past_was_thinned() -> None:
+    full, thin = (begin(load_scene(SCENE), budget=budget) for budget in (2**30, 0))
+    times = []
+    for _ in range(9):
+        full, thin = full.evolve(0.1), thin.evolve(0.1)  # sums that leave something over
+        times.append(full.world.time)
+    assert thin.states < full.states
+    for time in times:
+        assert full.branch(time).world == full.at(time) == thin.branch(time).world
+        assert full.branch(time).evolve(0.1).world == thin.branch(time).evolve(0.1).world
+
+
+def test_a_branch_right_before_what_happens_at_a_moment_is_no_cut_there() -> None:
+    literal = load_scene(SCENE.replace('"smooth"', '"robust"'))
+    old = begin(literal).evolve(1.0)
+    new = old.branch(Place(0, 0.6, 0))  # where the tick of 0.6 s is due
+    assert new.world.time == 0.6
+    assert new.line.first.what is None
+    new = new.evolve_until(1.0)
+    assert new.world.all_flights() == old.world.all_flights()
+    pieces: list[str] = []
+    recorder = Recorder(pieces.append, literal)
+    for state in new.forwards(new.first.place):
+        recorder.add(state)
+    recorder.finish(new.world.clock)
+    assert verified(read("".join(pieces).encode())).difference is None
 
 
 def test_branches_of_branches_have_the_past_of_both() -> None:

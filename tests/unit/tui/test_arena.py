@@ -8,6 +8,8 @@ from collections.abc import Awaitable, Callable
 
 import pytest
 from textual.app import App, ComposeResult
+from textual.geometry import Region
+from textual.widget import Widget
 
 from fasteroids import Asteroid, Ship, World, evolve
 from fasteroids.tui import palette
@@ -120,6 +122,25 @@ def test_a_frame_of_another_size_is_cut_or_filled_up():
             for line, row in zip(shown, arena.frame.rows, strict=False):
                 assert line == row.text[:60].ljust(60)
             assert not "".join(shown[rows:]).strip()
+
+    showing(scenario)
+
+
+@pytest.mark.parametrize("plain", [True, False])
+def test_the_lines_are_those_that_textual_would_show(monkeypatch, plain):
+    if plain:
+        monkeypatch.setenv("NO_COLOR", "1")
+    else:
+        monkeypatch.delenv("NO_COLOR", raising=False)
+
+    async def scenario(_app: Shown, arena: Arena) -> None:
+        arena.show(frame(WORLD, Look(), 50, 15))
+        for crop in (Region(0, 0, 60, 20), Region(0, 3, 60, 1), Region(17, 2, 20, 18)):
+            ours = [list(strip) for strip in arena.render_lines(crop)]
+            assert ours == [list(strip) for strip in Widget.render_lines(arena, crop)]
+            assert [sum(len(segment.text) for segment in line) for line in ours] == [
+                crop.width
+            ] * crop.height
 
     showing(scenario)
 
