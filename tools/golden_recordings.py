@@ -73,6 +73,26 @@ GAMES: dict[str, Game] = {
         seed = 7
         model = "smooth"
 
+        [[ship]]
+        name = "slow"
+        x = 200
+        y = 200
+        vx = 0
+        vy = 60
+        radius = 20
+        mass = 9e15
+        max_speed = 60
+
+        [[ship]]
+        name = "fast"
+        x = 205
+        y = 150
+        vx = 5
+        vy = 160
+        radius = 25
+        mass = 2e15
+        max_speed = 180
+
         [[asteroid-field]]
         count = 12
         radius = [8, 30]
@@ -175,9 +195,33 @@ GAMES: dict[str, Game] = {
         radius = 15
         mass = 5e15
         direction = 3.0
+
+        [[ship]]
+        name = "at the wall"
+        x = 20.5
+        y = 50
+        radius = 20
+        mass = 5e15
+        direction = 3.0
+
+        [[ship]]
+        name = "before a rock"
+        x = 300
+        y = 60
+        radius = 20
+        mass = 5e15
+
+        [[asteroid]]
+        x = 365
+        y = 60
+        radius = 43
         """,
         6.0,
-        tuple((0.05 + 0.3 * k, Act(2, Fire())) for k in range(12)),
+        (
+            (0.02, Act(3, Fire())),
+            (0.03, Act(4, Fire())),
+            *((0.05 + 0.3 * k, Act(2, Fire())) for k in range(12)),
+        ),
     ),
     "thrust-literal": Game(
         """
@@ -205,6 +249,7 @@ GAMES: dict[str, Game] = {
         radius = 30
         mass = 8e15
         direction = 3
+        max_speed = 90
         program-text = "while (true) { thrust; skip; skip; thrust_off; turn 2; }"
 
         [[asteroid]]
@@ -261,9 +306,27 @@ GAMES: dict[str, Game] = {
         mass = 5e15
         direction = 3.1
         thruster = true
+
+        [[ship]]
+        x = 100
+        y = 60
+        radius = 20
+        mass = 5e15
+        direction = 0
+        thruster = true
+
+        [[ship]]
+        x = 145
+        y = 60
+        radius = 25
+        mass = 7e15
+        direction = 3.14
+        thruster = true
         """,
         6.0,
         (
+            (0.03, Act(5, ThrustOff())),
+            (0.03, Act(6, Turn(3.0))),
             (0.5, Act(1, Turn(1.2))),
             (1.0, Act(2, ThrustOff())),
             (1.5, Act(2, Turn(2.0))),
@@ -346,6 +409,25 @@ GAMES: dict[str, Game] = {
         radius = 20
         mass = 5e15
         program-text = "turn 0.5; turn 1 / 0;"
+
+        [[ship]]
+        name = "reckoner"
+        x = 820
+        y = 60
+        radius = 20
+        mass = 5e15
+        program-text = '''
+        double i; bool b; entity e; entity f;
+        print -7 % 3; print 7 % -3; print sqrt(2) - -1; print sqrt(-1); print -1 / 0;
+        print !(1 < 2) || 2 <= 2 && 3 >= 4; print true || false; print false && true;
+        foreach (ship, e) { f := e; print getradius e; }
+        print f == e; print f != null; print f == self; print getvx self; print 1 != 1;
+        while (true) {
+          b := !(i < 0) && i >= 0 || -i > 5 && b;
+          i := -(-i) + sqrt(i * i + 1) % 7 - 1 / 3;
+          if (b || i > 50) { i := i * 0.5; } else { i := 1; }
+        }
+        '''
         """,
         3.0,
     ),

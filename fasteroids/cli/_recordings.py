@@ -43,6 +43,8 @@ def _bytes(place: str, title: str) -> bytes:
         if sys.stdin is None:
             raise Refusal("standard input is closed")
         return _begun(sys.stdin.buffer, title, place)
+    if not place:
+        raise Refusal("cannot read '': there is no such file")
     path = Path(place)
     if not names_file(path) and path.name == place and place in shipped():
         raise Refusal(_is_scene(place, place))

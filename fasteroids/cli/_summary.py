@@ -146,10 +146,11 @@ def _death(line: Event | Entered, cast: Cast) -> dict[str, Any]:
 
 def told(found: dict[str, Any]) -> list[str]:
     """A summary as lines."""
+    by = f"fasteroids {_plain(found['fasteroids'])}, Python {_plain(found['python'])}"
     rows = [
         ("recording", found["file"]),
         ("of", f"{_plain(found['title'] or 'a world')}: {found['first']}"),
-        ("made by", f"fasteroids {found['fasteroids']}, Python {found['python']}, format {found['format']}"),
+        ("made by", f"{by}, format {found['format']}"),
         ("game", _game(found)),
         ("time", f"from {number(found['start'])} s to {number(found['time'])} s, {_end(found)}"),
         ("events", _events(found)),
@@ -178,9 +179,7 @@ def _game(found: dict[str, Any]) -> str:
 
 def _end(found: dict[str, Any]) -> str:
     """Why it ended."""
-    return (
-        f"cut short: {found['short']}" if found["ended"] is None else f"ended by {found['ended']}"
-    )
+    return found["short"] if found["ended"] is None else f"ended by {_plain(found['ended'])}"
 
 
 def _events(found: dict[str, Any]) -> str:

@@ -15,8 +15,7 @@ from attrs import field, frozen
 from fasteroids.cli._fold import stops
 from fasteroids.cli._guard import Refusal
 from fasteroids.entities import Bullet, Entity, Ship
-from fasteroids.history.living import Lived, beginning
-from fasteroids.history.questions import reached
+from fasteroids.history.living import Lived, beginning, reached
 from fasteroids.history.recording import (
     Bookmark,
     Entered,

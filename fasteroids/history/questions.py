@@ -32,7 +32,6 @@ __all__ = [
     "next_state",
     "past_all_at",
     "previous_state",
-    "reached",
 ]
 
 At: TypeAlias = Place | float

@@ -274,8 +274,8 @@ class Timeline:
     def branch(self, at: float | Place, name: str | None = None) -> Timeline:
         """Another line from a time (s) or a place of this past on, in which time goes on; the old future stays.
 
-        Without a name it gets the first free number. `ModelError` if the name is taken or the time is not in this
-        past.
+        It begins with the world that `at` gives. Without a name it gets the first free number. `ModelError` if the name
+        is taken or the time is not in this past.
         """
         name = self._free() if name is None else name
         if name in self.lines:
@@ -309,6 +309,10 @@ class Timeline:
             state = state._replace(what=None)
         if isinstance(at, Place) and state.place != at:
             raise ModelError(f"there is no place {tuple(at)} in this past")
+        # What sums of steps left on the clock is lived again only where something was told: no future may hang on it.
+        world = state.world
+        if world.clock[2] != 0.0:
+            state = state._replace(world=evolve(world, clock=(*world.now, 0.0)))
         return state
 
     def switch(self, name: str) -> Timeline:

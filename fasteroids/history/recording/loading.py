@@ -8,8 +8,7 @@ from typing import Final
 from attrs import evolve
 
 from fasteroids.history.inputs import Cut
-from fasteroids.history.living import Lived
-from fasteroids.history.questions import reached
+from fasteroids.history.living import Lived, reached
 from fasteroids.history.recording.errors import RecordingError
 from fasteroids.history.recording.lines import Bookmark
 from fasteroids.history.recording.reading import Recording
@@ -39,8 +38,10 @@ def timeline_of(recording: Recording, *, budget: int = BUDGET) -> Timeline:
         except StopIteration as stop:
             last: Lived = stop.value
             break
-        if len(states) == _TOGETHER:
-            timeline, states = timeline.grown(states), []
+        if len(states) > _TOGETHER:
+            timeline, states = timeline.grown(states[:-1]), states[-1:]
+    if states and states[-1].world.now == last.world.now:
+        states[-1] = states[-1]._replace(world=last.world)  # all it can lack is what sums left over
     timeline = timeline.grown(states)
     if last.world.clock != timeline.world.clock:
         timeline = timeline.grown([Lived(last.place, Cut(last.world.clock), last.world)])
@@ -74,7 +75,7 @@ def recorded(timeline: Timeline, *, title: str | None = None) -> str:
     recorder = Recorder(pieces.append, last.world, headed(last.world, title=title))
     for state in timeline.forwards(timeline.first.place):
         recorder.add(state)
-    for mark in sorted(_marks(timeline), key=lambda mark: mark.state.place):
+    for mark in sorted(_marks(timeline), key=lambda mark: (mark.state.place, mark.name)):
         recorder.bookmark(mark.name, mark.state.place)
     recorder.finish(timeline.world.clock, "saved")
     return "".join(pieces)

@@ -107,13 +107,16 @@ def test_cut_short(call: Call, recording: str) -> None:
     shown = call("show", recording)
     assert shown.exit_code == 0
     assert shown.stderr.startswith(f"{recording}: it is cut short in line ")
-    assert rows(shown.stdout)["time"][0].split(", ")[1].startswith("cut short: ")
+    assert rows(shown.stdout)["time"][0].split(", ")[1].startswith("it is cut short in line ")
     assert json.loads(call("show", recording, "--json").stdout)["ended"] is None
 
 
-def test_what_a_terminal_would_obey_is_not_printed(call: Call, recording: str) -> None:
+@pytest.mark.parametrize("field", ["title", "fasteroids", "python", "ended"])
+def test_what_a_terminal_would_obey_is_not_printed(call: Call, recording: str, field: str) -> None:
     text = Path(recording).read_text()
-    Path(recording).write_text(text.replace('"title":"one-on-one"', r'"title":"\u001b[2Jgone"', 1))
+    changed, count = re.subn(f'"{field}":"[^"]*"', rf'"{field}":"\\u001b[2Jgone"', text)
+    assert count == 1
+    Path(recording).write_text(changed)
     shown = call("show", recording)
     assert shown.exit_code == 0
     assert "\x1b" not in shown.stdout

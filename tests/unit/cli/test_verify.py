@@ -145,6 +145,13 @@ HEADER = '{"type":"header","format":1}\n'
 
 
 @pytest.mark.parametrize("command", COMMANDS)
+def test_no_name_is_that_of_no_file(call: Call, command: str) -> None:
+    shown = call(*(arg.format("") for arg in COMMANDS[command]))
+    assert shown.exit_code == 2
+    assert shown.stderr == "Error: cannot read '': there is no such file\n"
+
+
+@pytest.mark.parametrize("command", COMMANDS)
 @pytest.mark.parametrize(
     ("data", "why"),
     [

@@ -10,6 +10,7 @@ import pytest
 
 from fasteroids import rules
 from fasteroids.history.recording import Recording, read, verified
+from fasteroids.history.recording.digests import named
 
 FILES = sorted(golden_recordings.FOLDER.glob("*.jsonl"))
 NAMES = [path.stem for path in FILES]
@@ -73,9 +74,19 @@ def test_a_change_of_a_rule_is_found_and_named(monkeypatch: pytest.MonkeyPatch) 
 
 def test_a_change_of_a_program_is_found_and_named() -> None:
     text = (golden_recordings.FOLDER / "deaths-and-splits.jsonl").read_text(encoding="ascii")
-    recording = read(text.encode())
-    (name,) = recording.header.programs
-    assert "fire; skip;" in recording.header.programs[name]
+    (name,) = read(text.encode()).header.programs
+    other = read(text.encode()).header.programs[name].replace("skip;", "turn 0.5;")
+    changed = text.replace("fire; skip;", "fire; turn 0.5;").replace(name, named(other))
+    recording = read(changed.encode())
+    assert recording.header.programs == {named(other): other}
+    found = verified(recording).difference
+    assert found is not None
+    assert (found.time, found.entity, found.field) == (0.4, 1, "effect")
+    assert (found.recorded, found.found) == ("skip", "turn")
+
+
+def test_a_change_of_what_happened_is_found_and_named() -> None:
+    text = (golden_recordings.FOLDER / "deaths-and-splits.jsonl").read_text(encoding="ascii")
     lines = text.splitlines()
     event = next(i for i, line in enumerate(lines) if '"skip"' in line)
     record = json.loads(lines[event])

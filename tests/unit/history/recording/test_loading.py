@@ -83,6 +83,26 @@ def test_a_branch_between_two_events_is_a_cut_where_cuts_decide() -> None:
     assert loaded(bare).world == bare.world
 
 
+def test_bookmarks_of_one_place_stand_in_the_order_of_their_names(past: Timeline) -> None:
+    names = [f"name {i}" for i in range(9)]
+    for name in reversed(names):
+        past = past.bookmark(name, 2.0)
+    assert [each.name for each in read(recorded(past).encode()).bookmarks] == names
+
+
+@pytest.mark.parametrize("text", [SCENE, LITERAL])
+def test_what_was_recorded_once_is_recorded_the_same_again(text: str) -> None:
+    past = begin(load_scene(text))
+    for _ in range(3):
+        past = past.evolve(0.1)  # the sum is not quite 0.3 s, and the clock knows
+    past = past.act(1, Fire())
+    assert past.world.clock[2] != 0.0
+    again = loaded(past)
+    assert again.world.clock == past.world.clock
+    assert again.last.what == past.last.what
+    assert recorded(again) == recorded(past)
+
+
 def test_what_was_recorded_verifies(past: Timeline) -> None:
     recording = read(recorded(past, title="here").encode())
     told = verified(recording)
