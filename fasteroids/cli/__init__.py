@@ -20,6 +20,7 @@ COMMANDS: Final = {
     "play": "Play on the terminal.",
     "watch": "Look on while the programs of a scene play.",
     "replay": "List the last games, or look at one again.",
+    "debug": "Step through ship programs, forwards and backwards.",
     "serve": "Play in a browser.",
     "run": "Evolve a scene and tell what happens.",
     "record": "Run a scene into a recording.",

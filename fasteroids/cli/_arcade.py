@@ -26,7 +26,7 @@ from fasteroids.units import ModelError
 if TYPE_CHECKING:
     from fasteroids.tui.launching import Launched, Wanted
 
-__all__ = ["MODEL", "WEB", "Screen", "Shelf", "begun", "on_terminal", "opened", "screen"]
+__all__ = ["MODEL", "WEB", "Screen", "Shelf", "begun", "insist", "on_terminal", "opened", "screen"]
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -140,16 +140,21 @@ def on_terminal() -> bool:
     return all(stream is not None and stream.isatty() for stream in streams)
 
 
-def opened(wanted: Wanted | None, shown: Screen) -> int:
-    """Play on the terminal, from the start screen or at once what is wanted; the exit code.
+def insist(instead: str = "") -> None:
+    """`Refusal` if there is no terminal; `instead` says what else can be done."""
+    if not on_terminal():
+        raise Refusal("; ".join(filter(None, ("there is no terminal to play on", instead))))
+
+
+def opened(wanted: Wanted | Launched | None, shown: Screen) -> int:
+    """Play on the terminal, from the start screen or at once what is wanted, or has begun already; the exit code.
 
     `Refusal` if there is no terminal, or if what is wanted cannot be had: before anything is shown.
     """
-    if not on_terminal():
-        raise Refusal(
-            "there is no terminal to play on; --plain tells a game in words, line by line"
-        )
-    first = None if wanted is None else begun(wanted)
+    insist("--plain tells a game in words, line by line")
+    from fasteroids.tui.launching import Launched
+
+    first = wanted if wanted is None or isinstance(wanted, Launched) else begun(wanted)
     from fasteroids.tui._store import Store, data_folder
     from fasteroids.tui.app import Arcade
     from fasteroids.tui.keyboard import chosen_driver

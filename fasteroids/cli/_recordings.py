@@ -11,9 +11,9 @@ from fasteroids.cli._guard import Refusal, reason
 from fasteroids.history.recording import Recording, RecordingError, read
 from fasteroids.moments import Clock, clock_at
 
-__all__ = ["clock_in", "open_recording", "titled"]
+__all__ = ["BEGIN", "clock_in", "open_recording", "titled"]
 
-_BEGIN: Final = (b"{", b"\x1f\x8b")
+BEGIN: Final = (b"{", b"\x1f\x8b")
 """How a recording begins, plain and compressed by gzip."""
 
 _PEEK: Final = 4096  # bytes
@@ -60,7 +60,7 @@ def _bytes(place: str, title: str) -> bytes:
 def _begun(file: IO[bytes], title: str, place: str) -> bytes:
     """All of a file that begins as a recording does. Of another not much more than its beginning is read."""
     head = file.read(_PEEK)
-    if head and not head.startswith(_BEGIN):
+    if head and not head.startswith(BEGIN):
         if _looks_like_scene(head):
             raise Refusal(_is_scene(title, place))
         raise Refusal(

@@ -17,7 +17,7 @@ from fasteroids.cli._telling import told
 if TYPE_CHECKING:
     from fasteroids.tui.recent import Brief
 
-__all__ = ["command"]
+__all__ = ["command", "found_in_list"]
 
 
 @click.command("replay")
@@ -98,7 +98,22 @@ def _place(file: str, found: list[Brief]) -> Path:
     path = Path(file)
     if path.exists():
         return path
+    listed = _listed(file, found)
+    if listed is None:
+        raise Refusal(f"there is no recording {file!r}; `fasteroids replay` lists those there are")
+    return listed
+
+
+def _listed(file: str, found: list[Brief]) -> Path | None:
     for number, each in enumerate(found, 1):
         if file in (str(number), each.place.name, each.place.name.partition(".")[0]):
             return each.place
-    raise Refusal(f"there is no recording {file!r}; `fasteroids replay` lists those there are")
+    return None
+
+
+def found_in_list(file: str) -> Path | None:
+    """The recording with this number or name among the last games; None if there is none."""
+    from fasteroids.tui._store import data_folder
+    from fasteroids.tui.recent import briefs
+
+    return _listed(file, briefs(data_folder() / "recordings"))

@@ -40,7 +40,7 @@ FIELDS: Final = ("velocity", "direction", "thruster", "bounced", "flight")
 """The fields whose changes are kept, in the sense of `fasteroids.history.last_change`."""
 
 Key: TypeAlias = str | int | tuple[int, str]
-"""Whose entries: of a sign, of an entity, of an entity's contacts, or of the changes of a field of it."""
+"""Whose entries: of a sign, of an entity, of an entity's contacts or prints, or of the changes of a field of it."""
 
 
 class Entry(NamedTuple):
@@ -120,6 +120,8 @@ def _keys(before: World, state: Lived) -> Iterator[Key]:
     if isinstance(what, Happened):
         if what.kind == "tick" and _stopped(state.world, what.entities[0]):
             yield "stop"
+        if what.prints:
+            yield what.entities[0], "print"
         if what.kind == "contact":
             for entity in what.entities:
                 yield entity, "contact"

@@ -12,6 +12,7 @@ from fasteroids.history.marks import Kind, wanted
 from fasteroids.tui.debugging import run, statement, toggled
 from fasteroids.tui.keys import Command
 from fasteroids.tui.picture import View
+from fasteroids.tui.rewriting import compared
 from fasteroids.tui.session import (
     Session,
     bookmarked,
@@ -25,6 +26,7 @@ from fasteroids.tui.session import (
     select_next,
     take_over,
 )
+from fasteroids.tui.visiting import death_in
 
 __all__ = ["commanded", "victim", "viewed"]
 
@@ -32,7 +34,7 @@ __all__ = ["commanded", "victim", "viewed"]
 def commanded(session: Session, command: Command) -> Session | None:
     """The session after a command; None if the command is about something else."""
     done = _DONE.get(command)
-    return None if done is None else done(session)
+    return None if done is None else done(evolve(session, seek=None))
 
 
 def viewed(view: View, command: Command) -> View | None:
@@ -50,10 +52,12 @@ def viewed(view: View, command: Command) -> View | None:
 
 
 def victim(session: Session) -> int | None:
-    """Whose death is asked about: the selected entity if it is dead by then, else the player who died last."""
-    place = session.place
-    if session.selected is not None and session.selected not in session.world:
-        return session.selected
+    """Whose death is asked about: the selected entity if it dies in this past, else the player who died last."""
+    place, selected = session.place, session.selected
+    if selected is not None and (
+        selected not in session.world or death_in(session.timeline, selected) is not None
+    ):
+        return selected
     ships = {
         p.ship for _, game in session.games[session.timeline.name] for p in game.players if p.ship
     }
@@ -127,6 +131,7 @@ _DONE: Final[Mapping[Command, Callable[[Session], Session]]] = {
     Command.BREAKPOINT: toggled,
     Command.RUN_BACK: partial(run, direction=-1),
     Command.RUN_FORWARD: partial(run, direction=1),
+    Command.DIFFERENCE: compared,
     Command.WHY: _why,
     Command.SELECT_PREVIOUS: partial(select_next, step=-1),
     Command.SELECT_NEXT: partial(select_next, step=1),

@@ -14,9 +14,9 @@ from textual.strip import Strip
 from fasteroids.history import Place
 from fasteroids.tui import palette
 from fasteroids.tui.lines import Lines
-from fasteroids.tui.rows import Row, Style
+from fasteroids.tui.rows import Row, Style, next_leading
 
-__all__ = ["Rows"]
+__all__ = ["Pane", "Rows"]
 
 _LOOKS: Final[Mapping[int, Look]] = {
     Style.PLAIN: Look(color="#c8c8d0", bgcolor=palette.BACKGROUND),
@@ -31,6 +31,7 @@ _LOOKS: Final[Mapping[int, Look]] = {
     Style.BAD: Look(color="#d55e00", bgcolor=palette.BACKGROUND, bold=True),
 }
 _PLAIN: Final = _LOOKS[Style.PLAIN]
+_CHOSEN: Final = Look(reverse=True)
 _EMPTY: Final = Row("")
 
 
@@ -82,6 +83,59 @@ class Rows(Lines):
         y = event.y
         if 0 <= y < len(self._rows):
             self.post_message(self.Clicked(self, event.x, self._rows[y].place))
+
+
+class Pane(Rows):
+    """Rows of which one that leads to a place can be chosen with keys, which come through `key`."""
+
+    def __init__(self, *, id: str | None = None) -> None:
+        super().__init__(id=id)
+        self._chosen: int | None = None
+
+    @property
+    def chosen(self) -> int | None:
+        """The chosen row, from the top; None while keys are for others."""
+        return self._chosen
+
+    def begin(self) -> bool:
+        """Choose the first row that leads anywhere; is there one?"""
+        self._choose(next_leading(self.rows, None, 1))
+        return self._chosen is not None
+
+    def end(self) -> None:
+        """Keys are for others again."""
+        self._choose(None)
+
+    def show(self, rows: Sequence[Row]) -> None:
+        """Show these rows; the choice goes on to the next one that leads anywhere."""
+        super().show(rows)
+        if self._chosen is not None:
+            self._choose(next_leading(self.rows, self._chosen - 1, 1))
+
+    def _choose(self, row: int | None) -> None:
+        if row != self._chosen:
+            self._chosen = row
+            self.refresh()
+
+    def key(self, key: str) -> bool:
+        """Move with arrows, go there with Enter; was the key for this? Any other one ends the choice."""
+        at = self._chosen
+        if at is None:
+            return False
+        if key in ("up", "down"):
+            self._choose(next_leading(self.rows, at, 1 if key == "down" else -1))
+            return True
+        place = self.rows[at].place if at < len(self.rows) else None
+        if key == "enter" and place is not None:
+            self.post_message(self.Clicked(self, 0, place))
+            return True
+        self.end()
+        return key == "escape"
+
+    def render_line(self, y: int) -> Strip:
+        """The cells of a line, the chosen one reversed."""
+        strip = super().render_line(y)
+        return strip.apply_style(_CHOSEN) if y == self._chosen else strip
 
 
 def _segments(shown: Row) -> list[Segment]:

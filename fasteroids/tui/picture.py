@@ -19,14 +19,14 @@ from fasteroids.tui.breakpoints import AtLine, When
 from fasteroids.tui.camera import DEATH_LASTS, ZOOMS, Death, Look
 from fasteroids.tui.canvas import SURFACES
 from fasteroids.tui.chronicle import Chronicle
-from fasteroids.tui.debugging import flown, here
+from fasteroids.tui.debugging import before_tick, breakpoints_of, flown, here
 from fasteroids.tui.inspector import entity_rows
 from fasteroids.tui.overlay import Line, Mark, Overlay, Point
-from fasteroids.tui.program_pane import machine_of, program_rows
+from fasteroids.tui.program_pane import machine_of, print_rows, program_rows
 from fasteroids.tui.rows import Row, Style, filled, paragraph, row
 from fasteroids.tui.session import Session, ghost
 from fasteroids.tui.strip import Strip, strip, whole
-from fasteroids.tui.verdicts import death_rows
+from fasteroids.tui.verdicts import death_rows, difference_rows
 
 __all__ = [
     "LEAST",
@@ -190,24 +190,49 @@ def film(session: Session, chronicle: Chronicle, width: int, *, ascii: bool) -> 
 
 
 def pane(session: Session, chronicle: Chronicle, width: int, height: int) -> tuple[Row, ...]:
-    """The pane beside the arena: how somebody died, the selected entity, the program of a ship."""
+    """The pane beside the arena: how somebody died, or how two lines differ, the selected entity, its program."""
     if session.fate is not None:
         return filled(death_rows(session.fate, width), width, height)
+    difference = _difference(session, width, height // 3)
+    rest = _facts(session, chronicle, width, height - len(difference))
+    return (*difference, *rest)
+
+
+def _difference(session: Session, width: int, most: int) -> tuple[Row, ...]:
+    """How this line differs from the one it branched off, if that was asked; and an empty row."""
+    compared = session.compared
+    if compared is None or compared.new != session.timeline.name:
+        return ()
+    head = row(width, (f"lines {compared.old} and {compared.new}", Style.TITLE))
+    names = (f"line {compared.old}", f"line {compared.new}")
+    rows = [head, *difference_rows(compared.parted, width, most, names=names)]
+    while not rows[-1].text.strip():
+        rows.pop()
+    for note in compared.notes:
+        rows += paragraph(width, note, Style.DIM)
+    return filled(rows[: max(most - 1, 0)], width, min(len(rows) + 1, most))
+
+
+def _facts(session: Session, chronicle: Chronicle, width: int, height: int) -> tuple[Row, ...]:
+    """The selected entity, and the program of a ship, with what it printed before."""
     world, place = session.world, session.place
     ship = flown(session)
     program: tuple[Row, ...] = ()
     if ship is not None and (not session.running or session.selected == ship):
         room = height if session.selected in (None, ship) and session.point else height // 2
+        marks = breakpoints_of(session, ship)
+        point = None if session.running else here(session)
+        before = place if point is None else before_tick(point)
+        printed = tuple(print_rows(chronicle, before, ship, width, room // 6))
         program = program_rows(
-            (None if session.running else here(session)) or machine_of(world, ship),
+            point or machine_of(world, ship),
             width,
-            room,
+            room - len(printed),
             name=describe(world[ship]),
-            lines=[each.line for each in session.breakpoints if isinstance(each, AtLine)],
-            conditions=[
-                each.condition.text for each in session.breakpoints if isinstance(each, When)
-            ],
+            lines=[each.line for each in marks if isinstance(each, AtLine)],
+            conditions=[each.condition.text for each in marks if isinstance(each, When)],
         )
+        program = (*program, *printed)
     if session.selected is None:
         return filled(program or tuple(_hint(width)), width, height)
     left = height - len(program)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from time import perf_counter
 from typing import ClassVar, Final
 
+from attrs import evolve
 from textual import events
 from textual.app import ComposeResult
 from textual.binding import BindingType
@@ -21,11 +22,13 @@ from fasteroids.tui.canvas import Row
 from fasteroids.tui.chronicle import chronicle_of
 from fasteroids.tui.commanding import commanded, viewed
 from fasteroids.tui.controls import Hands, acted, let_go, pressed, released, reported, synced
+from fasteroids.tui.debugging import sought, stopped
+from fasteroids.tui.editor import Breaking, Editor
 from fasteroids.tui.keeping import Keeper
 from fasteroids.tui.keyboard import KeyAgain, KeyboardReport, KeyUp
 from fasteroids.tui.keys import FLIGHT, Command, Keymap
 from fasteroids.tui.overlay import Overlay, overlay
-from fasteroids.tui.panels import Rows
+from fasteroids.tui.panels import Pane, Rows
 from fasteroids.tui.picture import (
     PANELS_FROM,
     View,
@@ -36,7 +39,8 @@ from fasteroids.tui.picture import (
     told,
     too_small,
 )
-from fasteroids.tui.session import Session, beat, look, look_at
+from fasteroids.tui.rewriting import source_of
+from fasteroids.tui.session import Session, beat, look, look_at, paused
 from fasteroids.tui.sound import Sound, effect_of
 from fasteroids.tui.strip import Strip
 
@@ -47,6 +51,9 @@ LINGER: Final = 1.0
 
 WINDOW: Final = (100, 32)
 """Columns and rows of a game in a window."""
+
+_WIDE: Final = 100
+"""Columns from which on the panel stays while a game is played; in fewer it comes when one looks at the past."""
 
 _SELDOM: Final = 6
 """Pictures of the panes in a second of a running game, more or less."""
@@ -63,9 +70,10 @@ class Play(Screen[None], inherit_bindings=False):
     Play { layout: vertical; background: #0b0e14; }
     Play #middle { height: 1fr; }
     Play #status, Play #strip, Play #said { height: 1; }
-    Play #side { width: 40; display: none; }
+    Play #side { width: 40; display: none; padding: 0 0 0 1; }
     Play #pane { height: 1fr; }
     Play.wide #side { display: block; }
+    Play.narrow #side { display: block; width: 32; }
     Play.window { align: center middle; background: #1c2230; }
     Play.window #status, Play.window #middle, Play.window #strip, Play.window #said { max-width: 100; }
     Play.window #middle { max-height: 29; }
@@ -99,6 +107,7 @@ class Play(Screen[None], inherit_bindings=False):
         self._foreseen = -1.0
         self._chronicle = chronicle_of(session.timeline)
         self._film: Strip | None = None
+        self._has_pane = False
         self._due = True
 
     def compose(self) -> ComposeResult:
@@ -107,7 +116,7 @@ class Play(Screen[None], inherit_bindings=False):
         with Horizontal(id="middle"):
             yield Arena(id="arena")
             with Vertical(id="side"):
-                yield Rows(id="pane")
+                yield Pane(id="pane")
         yield Rows(id="strip")
         yield Rows(id="said")
 
@@ -134,6 +143,9 @@ class Play(Screen[None], inherit_bindings=False):
     def go_on(self, elapsed: float) -> None:
         """So much wall time (s) later."""
         before = self.session
+        if before.seek is not None:
+            self.become(sought(before))
+            return
         actions = []
         if before.live and before.running:
             self.hands, told = acted(self.hands, elapsed * before.speed)
@@ -156,6 +168,9 @@ class Play(Screen[None], inherit_bindings=False):
                 self._heard(before)
             self._take_hands(before)
         self._tell_end()
+        if (session.live and session.running) != (before.live and before.running):
+            self._laid_out()
+            self.call_after_refresh(self.picture)
         self.picture()
 
     def _tell_end(self) -> None:
@@ -191,6 +206,10 @@ class Play(Screen[None], inherit_bindings=False):
 
     def on_key(self, event: events.Key) -> None:
         """A key went down."""
+        if self.query_one(Pane).key(event.key):
+            event.stop()
+            event.prevent_default()
+            return
         command = self.keymap.command(event.key)
         if command is None:
             return
@@ -200,6 +219,9 @@ class Play(Screen[None], inherit_bindings=False):
 
     def command(self, command: Command, *, again: bool = False) -> None:
         """Do what a command asks."""
+        if command is Command.BACK and self.session.seek is not None:
+            self.become(stopped(self.session))
+            return
         if command in FLIGHT:
             if not self.session.live and not again:
                 return
@@ -210,6 +232,8 @@ class Play(Screen[None], inherit_bindings=False):
             self._anew()
             self._laid_out()
             self.picture()
+            return
+        if self._worked(command):
             return
         session = commanded(self.session, command)
         if session is None:
@@ -223,6 +247,41 @@ class Play(Screen[None], inherit_bindings=False):
     def _anew(self) -> None:
         """What is made now and then only is made at once."""
         self._foreseen, self._due = -1.0, True
+
+    # The program, and the panel.
+
+    def _worked(self, command: Command) -> bool:
+        """Do a command that works on the program or in the panel in a pause, if this is one."""
+        if command not in (Command.EDIT, Command.BREAK_WHEN, Command.CHOOSE):
+            return False
+        session = evolve(self.session, seek=None)
+        session = paused(session) if session.running else session
+        self.hands = let_go(self.hands)
+        source = source_of(session)
+        if command is Command.CHOOSE:
+            self.become(session)
+            self._choose()
+        elif source is None:
+            self.become(evolve(session, said="no ship here runs a program: select one that does"))
+        elif command is Command.EDIT:
+            self.become(session)
+            editor = Editor(session, *source, timer=self._ticking)
+            self.app.push_screen(editor, self._answered)
+        else:
+            self.become(session)
+            self.app.push_screen(Breaking(session), self._answered)
+        return True
+
+    def _answered(self, session: Session | None) -> None:
+        """Another screen had an answer, or none."""
+        if session is not None:
+            self.become(session)
+
+    def _choose(self) -> None:
+        """A row of the panel is to be chosen."""
+        begun = self._has_pane and self.query_one(Pane).begin()
+        told = "arrows and Enter choose a line, Esc leaves" if begun else "no line leads anywhere"
+        self.become(evolve(self.session, said=told))
 
     def on_key_up(self, event: KeyUp) -> None:
         """A key went up, where the terminal tells."""
@@ -263,8 +322,11 @@ class Play(Screen[None], inherit_bindings=False):
 
     def _laid_out(self) -> None:
         columns, rows = self.room
-        wide = self.view.panels and columns >= PANELS_FROM[0] and rows >= PANELS_FROM[1]
-        self.set_class(wide and columns >= 100, "wide")
+        panels = self.view.panels and columns >= PANELS_FROM[0] and rows >= PANELS_FROM[1]
+        looks = not (self.session.live and self.session.running)
+        self._has_pane = panels and (columns >= _WIDE or looks)
+        self.set_class(self._has_pane and columns >= _WIDE, "wide")
+        self.set_class(self._has_pane and columns < _WIDE, "narrow")
 
     def picture(self) -> None:
         """Show the session as it is."""
@@ -298,8 +360,8 @@ class Play(Screen[None], inherit_bindings=False):
         self._chronicle = self._chronicle.followed(self.session.timeline)
         self._film = film(self.session, self._chronicle, columns, ascii=ascii)
         self.query_one("#strip", Rows).show(self._film.rows)
-        side = self.query_one("#pane", Rows)
-        if self.has_class("wide"):
+        side = self.query_one(Pane)
+        if self._has_pane:
             width, height = side.content_size
             side.show(pane(self.session, self._chronicle, width, height))
 

@@ -15,17 +15,19 @@ from typing import Final
 
 from fasteroids.entities import Ship
 from fasteroids.events import Happened
-from fasteroids.history import Point
-from fasteroids.lang.machine import Halted, Machine, Running, place
+from fasteroids.history import Place, Point
+from fasteroids.lang.machine import Halted, Machine, Running
+from fasteroids.lang.machine import place as place_in
 from fasteroids.lang.machine.traced import machine_in
 from fasteroids.lang.machine.values import Seen, Value, shown
 from fasteroids.lang.report import cells, legible
 from fasteroids.lang.source import Span
 from fasteroids.state import World
+from fasteroids.tui.chronicle import Chronicle
 from fasteroids.tui.rows import Piece, Row, Style, clock, filled, fitted, row
 from fasteroids.tui.words import number
 
-__all__ = ["machine_of", "program_rows", "state_of"]
+__all__ = ["machine_of", "print_rows", "program_rows", "state_of"]
 
 _LINE_END: Final = re.compile(r"\r\n?|\n")
 _SPARE: Final = 6  # cells kept in sight right of the cursor
@@ -117,6 +119,20 @@ def _changed(position: Point | Machine) -> set[str]:
     return {name for step in position.tick.steps[: position.step] for name in step.changed}
 
 
+def print_rows(chronicle: Chronicle, at: Place, ship: int, width: int, most: int) -> Iterator[Row]:
+    """What a program printed in its last ticks up to a place, `most` lines at most, each with its time; in order."""
+    lines = [
+        (entry.place, line)
+        for entry in chronicle.until((ship, "print"), at, most)
+        if isinstance(entry.what, Happened)
+        for line in entry.what.prints
+    ]
+    for place, line in lines[max(len(lines) - most, 0) :]:
+        yield row(
+            width, (f"{clock(place.time)} s ", Style.LINK), ("print ", Style.DIM), line, place=place
+        )
+
+
 def _variables(
     store: Mapping[str, Value], changed: Collection[str], width: int, room: int
 ) -> Iterator[Row]:
@@ -152,7 +168,7 @@ def _source(
     texts = _LINE_END.split(machine.code.source)
     while len(texts) > 1 and not texts[-1]:
         texts.pop()
-    span = _first_line(place(machine), texts)
+    span = _first_line(place_in(machine), texts)
     seen = isinstance(machine, Running) or machine.span is not None
     digits = len(str(len(texts)))
     gutter = digits + 4

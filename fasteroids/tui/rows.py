@@ -10,12 +10,24 @@ import re
 from collections.abc import Iterator, Sequence
 from enum import IntEnum
 from textwrap import wrap
-from typing import Final, NamedTuple, TypeAlias
+from typing import Final, Literal, NamedTuple, TypeAlias
 
 from fasteroids.history import Place
 from fasteroids.lang.report import cells, legible
 
-__all__ = ["Piece", "Row", "Run", "Style", "blank", "clock", "filled", "fitted", "paragraph", "row"]
+__all__ = [
+    "Piece",
+    "Row",
+    "Run",
+    "Style",
+    "blank",
+    "clock",
+    "filled",
+    "fitted",
+    "next_leading",
+    "paragraph",
+    "row",
+]
 
 
 class Style(IntEnum):
@@ -99,6 +111,18 @@ def paragraph(
     indent = "  " if width > _WIDE else ""
     for line in wrap(bound, max(width, 1), subsequent_indent=indent):
         yield row(width, (line.replace(_BOND, " "), style), place=place)
+
+
+def next_leading(rows: Sequence[Row], at: int | None, step: Literal[1, -1]) -> int | None:
+    """The next row below, or above, that leads to a place; from the last on to the first. None if no row leads there.
+
+    With nothing to start from, the first or the last one.
+    """
+    leading = [i for i, each in enumerate(rows) if each.place is not None][::step]
+    if not leading:
+        return None
+    beyond = [i for i in leading if at is not None and (i - at) * step > 0]
+    return (beyond or leading)[0]
 
 
 _UNIT: Final = re.compile(r"\d s\b")

@@ -16,7 +16,7 @@ from collections.abc import Iterable, Sequence
 from math import inf
 from typing import Final, Literal, TypeAlias
 
-from attrs import evolve, frozen
+from attrs import evolve, field, frozen
 from pyrsistent import PMap, pmap
 
 from fasteroids.actions import Action
@@ -24,6 +24,7 @@ from fasteroids.history import (
     BUDGET,
     MAIN,
     Lived,
+    Parted,
     Place,
     Point,
     Timeline,
@@ -42,6 +43,8 @@ from fasteroids.units import ModelError
 __all__ = [
     "FRAME",
     "SPEEDS",
+    "Compared",
+    "Seek",
     "Session",
     "Unit",
     "beat",
@@ -55,6 +58,7 @@ __all__ = [
     "look",
     "look_at",
     "opened",
+    "other_line",
     "paused",
     "played",
     "resumed",
@@ -79,6 +83,25 @@ _Judged: TypeAlias = tuple[tuple[Place, Game], ...]
 
 
 @frozen
+class Seek:
+    """A breakpoint of a ship is looked for, a piece at a time: on or back through what was lived, or by living on."""
+
+    ship: int
+    step: Literal[1, -1]
+    living: bool = False
+
+
+@frozen
+class Compared:
+    """Where the line `new` first does something else than `old` does; `notes` are sentences about how it came to be."""
+
+    old: str
+    new: str
+    parted: Parted | None
+    notes: tuple[str, ...] = ()
+
+
+@frozen
 class Session:
     """A timeline, the game played in it, and how it is looked at.
 
@@ -96,9 +119,14 @@ class Session:
     """One line for the player."""
     point: Point | None = None
     """Where the debugger stood last."""
-    breakpoints: tuple[Breakpoint, ...] = ()
+    breakpoints: PMap[int, tuple[Breakpoint, ...]] = field(factory=pmap)
+    """Those of each ship's program."""
     fate: DeathTold | None = None
     """The death that was asked about, while one looks at how it came."""
+    seek: Seek | None = None
+    """The search for a breakpoint that goes on."""
+    compared: Compared | None = None
+    """The difference that was asked about; it is of interest while one is in its new line."""
 
     @property
     def live(self) -> bool:
@@ -332,6 +360,25 @@ def take_over(session: Session) -> Session:
         fate=None,
         said=f"line {timeline.name}, from {place.time:.2f} s",
     )
+
+
+def other_line(session: Session, timeline: Timeline) -> Session:
+    """Another line, branched off this one and lived already: one looks at the first that happened in it, in a pause."""
+    start = timeline.line.first
+    games = session.games[session.timeline.name]
+    kept = tuple(each for each in games if each[0] <= start.place) or games[:1]
+    first = next(iter(timeline.forwards(start.place)), start)
+    session = evolve(
+        session,
+        timeline=timeline,
+        games=session.games.set(timeline.name, kept),
+        at=first.place,
+        running=0,
+        point=None,
+        fate=None,
+        seek=None,
+    )
+    return _judged(session, start, timeline.forwards(start.place))
 
 
 def ghost(session: Session) -> World | None:

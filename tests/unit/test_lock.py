@@ -31,7 +31,9 @@ def declared() -> list[Requirement]:
     return [each for each in requirements if each.name != project["name"]]
 
 
-@pytest.mark.parametrize("address", ["http:", "https:", "://", "@ ", "file:", "--index", "--find-links", "/"])
+@pytest.mark.parametrize(
+    "address", ["http:", "https:", "://", "@ ", "file:", "--index", "--find-links", "/"]
+)
 def test_lock_names_no_address(address: str) -> None:
     named = [line for line in LOCK.splitlines() if address in line]
     assert named == []

@@ -68,14 +68,17 @@ class Command(Enum):
     PROGRAM_BACK = "program-back", "Program", "back by a statement"
     PROGRAM_FORWARD = "program-forward", "Program", "forward by a statement"
     BREAKPOINT = "breakpoint", "Program", "set or remove a breakpoint"
+    BREAK_WHEN = "break-when", "Program", "a breakpoint on a condition, or on a line by its number"
     RUN_BACK = "run-back", "Program", "run back to a breakpoint"
     RUN_FORWARD = "run-forward", "Program", "run forward to a breakpoint"
     EDIT = "edit", "Program", "edit the program"
+    DIFFERENCE = "difference", "Program", "what is different in this line"
 
     ARENA = "arena", "View", "switch between Braille, blocks and ASCII"
     OVERLAY = "overlay", "View", "paths and contacts to come"
     GHOSTS = "ghosts", "View", "ghosts of another future"
     PANELS = "panels", "View", "show or hide the panels"
+    CHOOSE = "choose", "View", "choose a line of the panel"
     SCREENSHOT = "screenshot", "View", "save a picture and the scene"
 
     MUTE = "mute", "Game", "sound on or off"

@@ -43,6 +43,7 @@ def test_every_command_has_help(call: Call, name: str) -> None:
         "show": "FILE",
         "export": "FILE",
         "replay": "FILE",
+        "debug": "FILE|SCENE",
         "serve": "--host",
     }.get(name, "SCENE") in shown.stdout
 

@@ -221,6 +221,18 @@ def test_a_branch_can_begin_between_two_events_of_one_moment() -> None:
     assert places == [1, 2, 3, 4]
 
 
+def test_a_branch_has_the_same_future_however_its_past_was_thinned() -> None:
+    full, thin = (begin(load_scene(SCENE), budget=budget) for budget in (2**30, 0))
+    times = []
+    for _ in range(9):
+        full, thin = full.evolve(0.1), thin.evolve(0.1)  # sums that leave something over
+        times.append(full.world.time)
+    assert thin.states < full.states
+    for time in times:
+        assert full.branch(time).world == full.at(time) == thin.branch(time).world
+        assert full.branch(time).evolve(0.1).world == thin.branch(time).evolve(0.1).world
+
+
 def test_a_branch_right_before_what_happens_at_a_moment_is_no_cut_there() -> None:
     literal = load_scene(SCENE.replace('"smooth"', '"robust"'))
     old = begin(literal).evolve(1.0)
@@ -235,18 +247,6 @@ def test_a_branch_right_before_what_happens_at_a_moment_is_no_cut_there() -> Non
         recorder.add(state)
     recorder.finish(new.world.clock)
     assert verified(read("".join(pieces).encode())).difference is None
-
-
-def test_a_branch_has_the_same_future_however_its_past_was_thinned() -> None:
-    full, thin = (begin(load_scene(SCENE), budget=budget) for budget in (2**30, 0))
-    times = []
-    for _ in range(9):
-        full, thin = full.evolve(0.1), thin.evolve(0.1)  # sums that leave something over
-        times.append(full.world.time)
-    assert thin.states < full.states
-    for time in times:
-        assert full.branch(time).world == full.at(time) == thin.branch(time).world
-        assert full.branch(time).evolve(0.1).world == thin.branch(time).evolve(0.1).world
 
 
 def test_branches_of_branches_have_the_past_of_both() -> None:
