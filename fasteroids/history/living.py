@@ -142,19 +142,19 @@ def relived(last: Lived, givens: Iterable[Given], until: Clock) -> Past:
 
 
 def up_to(last: Lived, place: Place) -> Past:
-    """Each event up to a place: no more of those at its moment than belong before it."""
-    if last.place >= place:
-        return last
+    """Each event up to a place: no more of those at its moment than belong before it, maybe none."""
     events = _events(last, (*place.moment, 0.0))
-    while True:
+    while last.place < place:
         try:
-            last = next(events)
+            following = next(events)
         except StopIteration as stop:
-            reached: Lived = stop.value
-            return reached
+            there: Lived = stop.value
+            return there
+        if following.place > place:
+            return reached(last, place.moment)
+        last = following
         yield last
-        if last.place == place:
-            return last
+    return last
 
 
 def _events(last: Lived, until: Clock) -> Past:

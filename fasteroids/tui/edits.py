@@ -12,8 +12,7 @@ impossible, and whatever the edited ship itself was told.
 
 from __future__ import annotations
 
-from collections.abc import Generator, Iterable, Iterator, Sequence
-from heapq import merge
+from collections.abc import Generator, Iterable, Iterator
 from typing import Final, TypeAlias
 
 from attrs import evolve, frozen
@@ -149,8 +148,7 @@ def _inputs(timeline: Timeline, start: Place, end: Place) -> Iterator[_Given]:
     Cuts are among them where they decide.
     """
     cuts = cuts_decide(timeline.world)
-    told = _told(timeline.forwards(start, None if cuts else wanted("input")), cuts=cuts)
-    for given in merge(told, _forks(timeline, start) if cuts else (), key=lambda given: given[0]):
+    for given in _told(timeline.forwards(start, None if cuts else wanted("input")), cuts=cuts):
         if given[0] >= end:
             return
         yield given
@@ -162,17 +160,6 @@ def _told(states: Iterable[Lived], *, cuts: bool) -> Iterator[_Given]:
             yield place._replace(nth=place.nth - 1), what.what, what.born
         elif cuts and isinstance(what, Cut):
             yield Place(*what.clock[:2]), what, ()
-
-
-def _forks(timeline: Timeline, start: Place) -> Sequence[_Given]:
-    """Where the lines of a past branched off between two happenings: a look there is a cut."""
-    line, found = timeline.line, []
-    while line.parent is not None:
-        place, _, world = line.first
-        if place.nth == 0 and place > start:
-            found.append((place, Cut(world.clock), ()))
-        line = timeline.lines[line.parent]
-    return found[::-1]
 
 
 class _Again:

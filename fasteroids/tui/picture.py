@@ -206,7 +206,7 @@ def _difference(session: Session, width: int, most: int) -> tuple[Row, ...]:
     head = row(width, (f"lines {compared.old} and {compared.new}", Style.TITLE))
     names = (f"line {compared.old}", f"line {compared.new}")
     rows = [head, *difference_rows(compared.parted, width, most, names=names)]
-    while not rows[-1].text.strip():
+    while rows and not rows[-1].text.strip():
         rows.pop()
     for note in compared.notes:
         rows += paragraph(width, note, Style.DIM)

@@ -24,6 +24,7 @@ from fasteroids import (
 )
 from fasteroids.history import MAIN, Act, Cut, Place, Timeline, Told, begin
 from fasteroids.history.recording import Recorder, read, verified
+from fasteroids.history.recording.loading import recorded
 from tests.unit.history.pasts import arena
 
 SCENE = """
@@ -219,6 +220,17 @@ def test_a_branch_can_begin_between_two_events_of_one_moment() -> None:
     assert [ship.direction for ship in rest.world.ships] == [0.1, 0.1, 1.1]
     places = [s.place.nth for s in rest.forwards(rest.first.place) if not isinstance(s.what, Cut)]
     assert places == [1, 2, 3, 4]
+
+
+@pytest.mark.parametrize("model", ["smooth", "robust"])
+def test_an_input_right_before_a_tick_of_the_same_moment_is_lived_again_there(model: str) -> None:
+    program = check_program(parse_program("while (true) { thrust; fire; skip; }")).program
+    ship = Ship(300, 500, 20, 0, 10, 5e15, 0.0, program=program)
+    old = begin(World(1_000, 1_000, model=model).add(ship)).evolve(1.5)
+    new = old.branch(Place(0, 1.0, 0))  # the tick of 1.0 s is still to come
+    new = new.act(1, Turn(1.0)).evolve(1.0)
+    assert new.at(1.7) == new.thin(0).at(1.7)
+    assert verified(read(recorded(new).encode())).difference is None
 
 
 def test_a_branch_has_the_same_future_however_its_past_was_thinned() -> None:
