@@ -23,7 +23,7 @@ from fasteroids.tui.panels import Rows
 from fasteroids.tui.picture import View, film, look_of, pane, status, told, too_small
 from fasteroids.tui.session import Session, beat, look
 from fasteroids.tui.settings import DEFAULTS
-from tests.unit.tui.arcades import Library, arcade, flown, live, run, settled
+from tests.unit.tui.arcades import Library, arcade, flown, live, run, settled, typed
 
 WIDTHS = (1, 2, 3, 7, 20, 39, 40, 59, 60, 80, 99, 100, 120, 200)
 HEIGHTS = (1, 2, 3, 7, 11, 12, 19, 20, 24, 40, 60)
@@ -133,3 +133,19 @@ def test_frames_that_come_too_late_are_left_out_and_the_time_of_the_game_is_not(
 
     settings = evolve(DEFAULTS, fps=30)
     run(arcade(tmp_path, wanted=PAIR, settings=settings, timer=True), stalled)
+
+
+def test_nothing_is_drawn_while_time_stands_still(tmp_path: Path) -> None:
+    async def paused(app: Arcade, pilot: Pilot[int]) -> None:
+        play = live(app)
+        await typed(pilot, "p")
+        frames = play.frames
+        flown(play, 1.0)
+        assert play.frames == frames
+        await typed(pilot, "e")
+        assert play.frames == frames + 1
+        await typed(pilot, "p")
+        flown(play, 0.5)
+        assert play.frames > frames + 4
+
+    run(arcade(tmp_path, wanted=PAIR), paused)
