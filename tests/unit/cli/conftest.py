@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import pty
 import signal
 import subprocess
 import sys
@@ -131,7 +132,6 @@ def on_terminal(*args: str, narrate: bool = False) -> tuple[bytes, bytes]:
 
     Ctrl-C is pressed when it shows how many events a second there are.
     """
-    pty = pytest.importorskip("pty")
     leader, follower = pty.openpty()
     process = subprocess.Popen(
         [sys.executable, "-m", "fasteroids", *args],

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import os
+import pty
 import re
 import shutil
 import signal
 import subprocess
 import sys
+import termios
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -16,9 +18,6 @@ from typing import Any
 import pytest
 
 from fasteroids.history.recording import Recording, read, verified
-
-pty = pytest.importorskip("pty", reason="this system has no pseudo-terminals")
-termios = pytest.importorskip("termios")
 
 PATIENCE = 60.0  # s; far more than any of these takes
 COLUMNS, ROWS = 80, 24

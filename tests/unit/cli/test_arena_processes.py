@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import pty
 import re
 import signal
 import subprocess
@@ -147,7 +148,6 @@ def test_processes_end_with_the_one_that_started_them(spawn: Spawn, tmp_path: Pa
 
 
 def test_progress_on_a_terminal(tmp_path: Path) -> None:
-    pty = pytest.importorskip("pty")
     leader, follower = pty.openpty()
     process = subprocess.Popen(
         [sys.executable, "-m", "fasteroids", *MANY, "--keep", str(tmp_path)],

@@ -300,7 +300,6 @@ def test_interrupted_work_leaves_nothing(
     assert out.read_text() == "precious\n"
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="no limits on the sizes of files there")
 @pytest.mark.parametrize("form", ["csv", "parquet", "sqlite"])
 def test_a_full_disk_leaves_nothing(recording: str, tmp_path: Path, form: str) -> None:
     """The largest size of a file plays the disk."""

@@ -321,7 +321,6 @@ def test_full_disk(spawn: Spawn, busy: str, to_stdout: bool) -> None:
     assert said == b"Error: cannot write " + what + b": No space left on device\n"
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="no limits on the sizes of files there")
 @pytest.mark.parametrize("name", ["out.jsonl", "out.jsonl.gz"])
 def test_a_disk_that_gets_full_leaves_what_can_be_read(
     busy: str, tmp_path: Path, name: str

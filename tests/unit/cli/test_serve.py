@@ -10,12 +10,9 @@ import subprocess
 import sys
 from pathlib import Path
 
-import pytest
+import aiohttp
 
 from fasteroids.history.recording import read
-
-pytest.importorskip("textual_serve", reason="textual-serve (the extra 'web') is not installed")
-aiohttp = pytest.importorskip("aiohttp")
 
 PATIENCE = 60.0  # s; far more than any of these takes
 

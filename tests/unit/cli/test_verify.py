@@ -221,7 +221,6 @@ def test_a_damaged_line_is_named(
 # In processes of their own.
 
 
-@pytest.mark.skipif(not Path("/dev/zero").exists(), reason="this system has no endless file")
 def test_an_endless_file_is_refused_at_once(spawn: Spawn) -> None:
     process = spawn("verify", "/dev/zero")
     _, said = process.communicate(timeout=PATIENCE)

@@ -16,14 +16,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from textual import events
+from textual._xterm_parser import XTermParser
 from textual.app import App
 from textual.message import Message
 from textual.screen import Screen
 
-from fasteroids.tui import keyboard
+from fasteroids.tui import keyboard, kitty
 from fasteroids.tui.keyboard import KeyAgain, KeyboardReport, KeyUp, chosen_driver
-
-kitty = pytest.importorskip("fasteroids.tui.kitty", reason="needs a terminal of POSIX")
 
 ROOT = Path(__file__).resolve().parents[3]
 
@@ -123,7 +122,7 @@ def test_the_report_tells_whether_keys_that_go_up_are_reported() -> None:
 
 def test_terminals_without_the_protocol_are_read_as_by_textual() -> None:
     plain = "aA?é \t\r\x1b[A\x1b[1;2D\x1bOP\x1b[15~\x1b[I\x1b[O\x1b[<0;3;4M\x1b[<0;3;4m\x1b[200~two\nlines\x1b[201~\x01"
-    ours, textuals = kitty.KittyParser(), kitty.XTermParser()
+    ours, textuals = kitty.KittyParser(), XTermParser()
     assert [seen(message) for message in ours.feed(plain)] == [
         seen(message) for message in textuals.feed(plain)
     ]

@@ -246,9 +246,10 @@ def test_settings_that_cannot_be_kept_are_told_of(
 def test_the_files_are_in_the_users_folders(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    if sys.platform != "linux":
-        pytest.skip("other systems have other folders")
+    monkeypatch.setenv("HOME", str(tmp_path))
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
-    assert data_folder() == tmp_path / "data" / "fasteroids"
-    assert config_file() == tmp_path / "config" / "fasteroids" / "config.toml"
+    assert data_folder().is_relative_to(tmp_path)
+    assert data_folder().name == "fasteroids"
+    assert config_file().is_relative_to(tmp_path)
+    assert config_file().parts[-2:] == ("fasteroids", "config.toml")

@@ -39,7 +39,6 @@ with open(sys.argv[1], "wb") as file:
 """
 
 
-@pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="this system has no such signal")
 @pytest.mark.parametrize("name", ["killed.jsonl", "killed.jsonl.gz"])
 def test_a_killed_process_leaves_all_but_its_last_second(tmp_path: Path, name: str) -> None:
     file = tmp_path / name
