@@ -175,7 +175,7 @@ def run(arena: str, fps: int, seconds: float, entities: int, result: Path) -> No
     from fasteroids.cli._arcade import Shelf
     from fasteroids.tui._store import Store
     from fasteroids.tui.app import Arcade
-    from fasteroids.tui.keyboard import chosen_driver
+    from fasteroids.tui.driving import chosen_driver
     from fasteroids.tui.launching import Launched, NewGame
     from fasteroids.tui.options import Options
     from fasteroids.tui.picture import View

@@ -157,7 +157,7 @@ def opened(wanted: Wanted | Launched | None, shown: Screen) -> int:
     first = wanted if wanted is None or isinstance(wanted, Launched) else begun(wanted)
     from fasteroids.tui._store import Store, data_folder
     from fasteroids.tui.app import Arcade
-    from fasteroids.tui.keyboard import chosen_driver
+    from fasteroids.tui.driving import chosen_driver
     from fasteroids.tui.options import Notices, Options
     from fasteroids.tui.picture import View
     from fasteroids.tui.terminal import terminal_of

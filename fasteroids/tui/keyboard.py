@@ -1,17 +1,13 @@
-"""Keys that go up and keys that repeat, as messages; and the choice of a driver that reports them.
+"""Keys that go up and keys that repeat, as messages.
 
-The messages need nothing of Textual but its public names. What reads them from a terminal, `fasteroids.tui.kitty`,
-needs private ones, which another version may not have: then `chosen_driver` gives Textual's own driver, and says so.
+They need nothing of Textual but its public names; `fasteroids.tui.kitty` reads them from a terminal.
 """
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from textual import events
 
-from textual import constants, events
-from textual.driver import Driver
-
-__all__ = ["Chosen", "KeyAgain", "KeyUp", "KeyboardReport", "chosen_driver"]
+__all__ = ["KeyAgain", "KeyUp", "KeyboardReport"]
 
 
 class KeyUp(events.InputEvent, bubble=True):
@@ -55,30 +51,3 @@ class KeyboardReport(events.InputEvent, bubble=True):
     def key_up(self) -> bool:
         """Does it report keys that go up?"""
         return bool(self.flags & 2)
-
-
-class Chosen(NamedTuple):
-    """A driver for `App(driver_class=...)`, None for Textual's own; and a sentence if keys that go up are not read."""
-
-    driver: type[Driver] | None
-    note: str
-
-
-def chosen_driver() -> Chosen:
-    """The driver that reads keys that go up, if this system and this version of Textual allow one. Never raises.
-
-    Where the environment names a driver (as in a browser) or switches the protocol off, it is left at that.
-    """
-    if constants.DRIVER is not None:
-        return Chosen(None, "keys that go up are not read: TEXTUAL_DRIVER names another driver")
-    if constants.DISABLE_KITTY_KEY:
-        return Chosen(None, "keys that go up are not read: TEXTUAL_DISABLE_KITTY_KEY is set")
-    try:
-        from fasteroids.tui import kitty
-
-        kitty.check()
-    except ImportError:
-        return Chosen(None, "keys that go up are not read: not on this system")
-    except Exception:  # private names that mean something else now fail in ways nobody can list
-        return Chosen(None, "keys that go up are not read: not with this version of Textual")
-    return Chosen(kitty.KittyDriver, "")

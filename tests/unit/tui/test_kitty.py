@@ -22,7 +22,8 @@ from textual.message import Message
 from textual.screen import Screen
 
 from fasteroids.tui import keyboard, kitty
-from fasteroids.tui.keyboard import KeyAgain, KeyboardReport, KeyUp, chosen_driver
+from fasteroids.tui.driving import chosen_driver
+from fasteroids.tui.keyboard import KeyAgain, KeyboardReport, KeyUp
 
 ROOT = Path(__file__).resolve().parents[3]
 
@@ -289,7 +290,8 @@ def test_what_the_environment_says_of_the_driver_is_respected(
 APP = """
 import os, signal, sys
 from textual.app import App
-from fasteroids.tui.keyboard import KeyAgain, chosen_driver
+from fasteroids.tui.driving import chosen_driver
+from fasteroids.tui.keyboard import KeyAgain
 
 class Small(App):
     def on_mount(self): os.write(1, b"READY")
