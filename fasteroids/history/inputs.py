@@ -6,6 +6,7 @@ same bits (law L11); that is what a timeline thins its states by, and what a rec
 
 from __future__ import annotations
 
+from math import inf
 from typing import NamedTuple, TypeAlias
 
 from attrs import frozen
@@ -30,6 +31,11 @@ class Place(NamedTuple):
     offset: float
     nth: int = 0
     """0 is the moment as time reaches it, before anything happens at it."""
+
+    @classmethod
+    def end_of(cls, moment: Moment) -> Place:
+        """A place after all that happens at a moment. It is a bound to look by; no state stands there."""
+        return cls(*moment, inf)  # type: ignore[arg-type]  # more than any number of happenings
 
     @property
     def moment(self) -> Moment:

@@ -13,7 +13,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
-from math import inf
 from typing import Any, Final
 
 from attrs import evolve, field, frozen
@@ -205,7 +204,7 @@ class Timeline:
             raise ModelError(
                 f"this past goes from {first.time!r} s to {last.time!r} s; there is no {shown(time)} s in it"
             )
-        world = self.reached(Place(*clock[:2], inf)).world  # type: ignore[arg-type]  # after all of that moment
+        world = self.reached(Place.end_of(clock[:2])).world
         return world if world.clock == clock else evolve(world, clock=clock)
 
     def reached(self, place: Place) -> Lived:
@@ -297,7 +296,7 @@ class Timeline:
 
         Right before what happens at a moment time is not cut either: the happening does that.
         """
-        place = at if isinstance(at, Place) else Place(*self.at(at).now, inf)  # type: ignore[arg-type]  # after all of it
+        place = at if isinstance(at, Place) else Place.end_of(self.at(at).now)
         if isinstance(at, Place) and not self.first.place <= at <= self.last.place:
             raise ModelError(f"there is no place {tuple(at)} in this past")
         state = self.state(place)

@@ -48,8 +48,6 @@ _PIECE: Final = 1.0
 
 _MOST_PIECES: Final = 200
 
-_LAST: Final = 2**63  # comes after all that happens at a moment
-
 
 @frozen
 class LeftOut:
@@ -123,7 +121,7 @@ def editing(
     whole = isinstance(last.what, Cut)  # else it ends between two happenings, or with an input
     if until is not None and clock_at(until) < clock:
         clock, whole = max(clock_at(until), fork.world.clock), True
-    end = Place(*clock[:2], _LAST) if whole else last.place
+    end = Place.end_of(clock[:2]) if whole else last.place
     for place, what, born in _inputs(timeline, start, end):
         if isinstance(what, Cut):
             again.cut(what.clock)

@@ -13,7 +13,6 @@ slow terminal shows fewer frames of the same game.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from math import inf
 from typing import Final, Literal, TypeAlias
 
 from attrs import evolve, field, frozen
@@ -33,7 +32,8 @@ from fasteroids.history import (
     previous_state,
 )
 from fasteroids.history.marks import Kind
-from fasteroids.moments import advanced, clock_at
+from fasteroids.history.questions import past_all_at
+from fasteroids.moments import advanced
 from fasteroids.state import World
 from fasteroids.tui.breakpoints import Breakpoint
 from fasteroids.tui.game import Game, granted, judged, ruled, wishes
@@ -243,8 +243,7 @@ def _moved(session: Session, span: float) -> Session:
 
 def _after_all(session: Session, time: float) -> Place:
     """The place after all that happened at a time."""
-    place = Place(*clock_at(time)[:2], inf)  # type: ignore[arg-type]  # more than any number of happenings
-    return session.timeline.reached(place).place
+    return session.timeline.reached(past_all_at(time)).place
 
 
 # Looking.

@@ -266,12 +266,11 @@ def _marks(
 
 
 _NEVER: Final = Place(-1, 0.0)
-_LAST: Final = 2**63  # comes after all that happens at a moment
 
 
 def _lines(timeline: Timeline) -> dict[str, Place]:
     """The lines that the past of this one is made of, and up to which place each is part of it."""
-    line, found = timeline.line, {timeline.name: Place(*timeline.world.now, _LAST)}
+    line, found = timeline.line, {timeline.name: Place.end_of(timeline.world.now)}
     while line.parent is not None:
         found[line.parent] = line.first.place
         line = timeline.lines[line.parent]

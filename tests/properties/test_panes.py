@@ -102,7 +102,7 @@ def told(chronicle: Chronicle, timeline: Timeline) -> dict[object, object]:
 
 def at(timeline: Timeline, time: float) -> tuple[Lived, float]:
     world = timeline.at(time)
-    return timeline.state(Place(*world.now, 10**9)), time
+    return timeline.state(Place.end_of(world.now)), time
 
 
 def sized(rows: tuple[Row, ...], width: int, height: int | None = None) -> None:
@@ -138,7 +138,7 @@ def test_an_account_says_what_the_timeline_says(pasts: list[Timeline], data: st.
     assert list(chronicle.entries(entity)) == lived
     place, _ = at(timeline, data.draw(times(timeline)))
     for name in FIELDS:
-        known = last_change(timeline, entity, name, before=place.place._replace(nth=10**9))
+        known = last_change(timeline, entity, name, before=Place.end_of(place.place.moment))
         mine = chronicle.last_change(entity, name, place.place)
         assert (mine and mine.place) == (known and known.state.place)
 
