@@ -190,7 +190,7 @@ def _label(time: float, stretch: Stretch, width: int) -> str:
     digits = 0
     while digits < 6 and 10.0**-digits > stretch.span / max(width, 1):
         digits += 1
-    return f"{time:.{digits}f}" if time < 1e9 else f"{time:.9g}"
+    return clock(time, digits)
 
 
 def _below(

@@ -25,7 +25,7 @@ from fasteroids.history import (
 )
 from fasteroids.lang import Diagnostic
 from fasteroids.lang.report import cells
-from fasteroids.tui.breakpoints import AtLine, Breakpoint, When, last_write, next_break
+from fasteroids.tui.breakpoints import AtLine, Breakpoint, When, next_break
 from fasteroids.tui.edits import Edited, edited, editing
 from fasteroids.tui.program_pane import machine_of, program_rows
 from fasteroids.tui.rows import Row, Style
@@ -411,27 +411,3 @@ def test_the_future_comes_in_pieces_and_can_be_given_up() -> None:
     assert next(work) == 3.0
     work.close()
     assert set(timeline.lines) == {"main"}
-
-
-# Who set a variable.
-
-
-def test_the_last_write_of_a_variable_is_the_statement_that_set_it(past: Timeline) -> None:
-    point: Point | None = after(past, at_tick(past, 1, 1.4), 11)
-    assert point is not None
-    values: list[object] = []
-    while (write := last_write(past, "n", point)) is not None:
-        assert write.statement.line == 4
-        following = next_step(past, write)
-        assert following is not None
-        assert following.variables["n"] == point.variables["n"]
-        values.append(following.variables["n"])
-        point = write
-    assert values == [6.0, 5.0, 4.0, 3.0, 2.0, 1.0]
-
-
-def test_a_variable_that_was_never_set_has_no_write(past: Timeline) -> None:
-    timeline = alone("double never; while (true) { skip; }")
-    assert last_write(timeline, "never", at_tick(timeline, 1, 1.0)) is None
-    with pytest.raises(ModelError, match="the program has it, n; got 'm'"):
-        last_write(past, "m", at_tick(past, 1, 1.0))
