@@ -47,6 +47,11 @@ class Place(NamedTuple):
         """Seconds since the start: the double nearest to the moment."""
         return seconds(self.window, self.offset)
 
+    @property
+    def before(self) -> Place:
+        """The place right before the happening that led here; there is one, so `nth` is 1 or more."""
+        return self._replace(nth=self.nth - 1)
+
     def after(self, moment: Moment) -> Place:
         """The place right after the next happening, which is at a moment not before this one."""
         return Place(*moment, self.nth + 1 if moment == self[:2] else 1)

@@ -155,7 +155,7 @@ def _inputs(timeline: Timeline, start: Place, end: Place) -> Iterator[_Given]:
 def _told(states: Iterable[Lived], *, cuts: bool) -> Iterator[_Given]:
     for place, what, _ in states:
         if isinstance(what, Told):
-            yield place._replace(nth=place.nth - 1), what.what, what.born
+            yield place.before, what.what, what.born
         elif cuts and isinstance(what, Cut):
             yield Place(*what.clock[:2]), what, ()
 
