@@ -22,9 +22,8 @@ from fasteroids.tui.settings import text_of as settings_text
 
 __all__ = ["Store", "config_file", "data_folder"]
 
-_PATIENCE: Final = (
-    2.0  # seconds to wait for another process that writes; it takes some milliseconds
-)
+_PATIENCE: Final = 2.0
+"""Seconds to wait for another process that writes; it takes some milliseconds."""
 _MOST_BYTES: Final = 1 << 20
 _MOST_ASIDE: Final = 100
 

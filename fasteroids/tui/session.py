@@ -347,13 +347,12 @@ def take_over(session: Session) -> Session:
     """Time lives on from where one looks, in another line; the old future stays."""
     if session.live:
         return resumed(session)
-    place, name = session.place, session.timeline.name
+    place = session.place
     timeline = session.timeline.branch(place)
-    games = tuple(each for each in session.games[name] if each[0] <= place)
     return evolve(
         session,
         timeline=timeline,
-        games=session.games.set(timeline.name, games or session.games[name][:1]),
+        games=session.games.set(timeline.name, _games_up_to(session, place)),
         at=None,
         running=1,
         fate=None,
@@ -361,16 +360,20 @@ def take_over(session: Session) -> Session:
     )
 
 
+def _games_up_to(session: Session, place: Place) -> _Judged:
+    """How the game stood in this line up to a place: what a line that branches off there begins with."""
+    games = session.games[session.timeline.name]
+    return tuple(each for each in games if each[0] <= place) or games[:1]
+
+
 def other_line(session: Session, timeline: Timeline) -> Session:
     """Another line, branched off this one and lived already: one looks at the first that happened in it, in a pause."""
     start = timeline.line.first
-    games = session.games[session.timeline.name]
-    kept = tuple(each for each in games if each[0] <= start.place) or games[:1]
     first = next(iter(timeline.forwards(start.place)), start)
     session = evolve(
         session,
         timeline=timeline,
-        games=session.games.set(timeline.name, kept),
+        games=session.games.set(timeline.name, _games_up_to(session, start.place)),
         at=first.place,
         running=0,
         point=None,
