@@ -21,7 +21,6 @@ from fasteroids.tui.launching import (
     SceneGame,
     launched,
     new_seed,
-    timeline_of,
     with_seed,
 )
 from fasteroids.tui.recent import brief, briefs
@@ -178,15 +177,6 @@ def test_no_file_is_too_odd_to_be_listed(tmp_path: Path, data: bytes) -> None:
     assert found.seed is None
     assert brief(tmp_path / "gone.fast.jsonl").title.startswith("cannot be read: ")
     assert brief(tmp_path).title
-
-
-def test_a_timeline_keeps_to_its_budget(tmp_path: Path) -> None:
-    live, place = kept(tmp_path, NewGame("waves", (None,), 7))
-    recording = read(place.read_bytes())
-    small = timeline_of(recording, budget=20_000)
-    assert small.states < timeline_of(recording).states
-    assert small.world == live.timeline.world
-    assert small.at(1.0) == live.timeline.at(1.0)
 
 
 def test_what_a_human_did_is_an_input_of_the_recording(tmp_path: Path) -> None:
