@@ -268,6 +268,14 @@ class Timeline:
             found.insert(0, (self.lines[parent], found[0][0].first.place))
         return found
 
+    def holds(self, name: str, place: Place) -> bool:
+        """Is a place on the line of this name in the past of the line that time goes on in?
+
+        Not if that past does not come by the line, or has left it before.
+        """
+        ends = {line.name: self.last.place if end is None else end for line, end in self._lines()}
+        return name in ends and place <= ends[name]
+
     # Branches and bookmarks.
 
     def branch(self, at: float | Place, name: str | None = None) -> Timeline:

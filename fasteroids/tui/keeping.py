@@ -103,9 +103,8 @@ class Keeper:
         recording, file = self._recording, self._file
         self._recording = self._file = None
         if recording is not None and session is not None:
-            name = session.timeline.name
             for mark in session.timeline.bookmarks.values():
-                if mark.line == name:
+                if session.timeline.holds(mark.line, mark.state.place):
                     recording.bookmark(mark.name, mark.state.place)
             recording.finish(session.timeline.world.clock)
             recording.close()

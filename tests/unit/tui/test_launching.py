@@ -24,7 +24,7 @@ from fasteroids.tui.launching import (
     with_seed,
 )
 from fasteroids.tui.recent import brief, briefs
-from fasteroids.tui.session import Session, beat, bookmarked, take_over
+from fasteroids.tui.session import Session, beat, bookmarked, look_at, take_over
 from fasteroids.units import ModelError
 from tests.unit.tui.arcades import Library
 
@@ -143,6 +143,21 @@ def test_what_cannot_be_had_is_a_sentence(
 ) -> None:
     with pytest.raises(ModelError, match=sentence):
         launched(wanted, Library())
+
+
+def test_the_recording_of_another_future_has_the_bookmarks_of_its_past(tmp_path: Path) -> None:
+    session = launched(NewGame("waves", (None,), 7), Library()).session
+    session = bookmarked(beat(session, 0.2), "early")
+    session = bookmarked(beat(beat(session, 0.2), 0.2), "late")
+    keeper = Keeper(tmp_path, "another", pytest.fail)
+    keeper.follow(beat(take_over(look_at(session, 0.4)), 0.1))
+    keeper.close()
+    assert keeper.path is not None
+    again = launched(Recorded(keeper.path), Library()).session.timeline
+    early = session.timeline.bookmarks["early"].state
+    assert {name: mark.state.place for name, mark in again.bookmarks.items()} == {
+        "early": early.place
+    }
 
 
 # Recordings in short.
