@@ -9,13 +9,13 @@ import os
 import re
 import sys
 from collections.abc import Callable, Mapping
+from functools import wraps
 from typing import TYPE_CHECKING, Any, Final, TypeVar
 
 import click
 from attrs import evolve, frozen
 
 from fasteroids.actions import Program
-from fasteroids.cli import _options as options
 from fasteroids.cli._bots import read_bot
 from fasteroids.cli._files import shipped, shipped_programs
 from fasteroids.cli._guard import BUG, Refusal, reason
@@ -26,7 +26,19 @@ from fasteroids.units import ModelError
 if TYPE_CHECKING:
     from fasteroids.tui.launching import Launched, Wanted
 
-__all__ = ["MODEL", "WEB", "Screen", "Shelf", "begun", "insist", "on_terminal", "opened", "screen"]
+__all__ = [
+    "MODEL",
+    "WEB",
+    "Screen",
+    "Shelf",
+    "begun",
+    "insist",
+    "on_terminal",
+    "opened",
+    "plain",
+    "screen",
+    "seed",
+]
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -60,8 +72,16 @@ class Screen:
         return words + ["--no-sound"] * self.silent + ["--window"] * self.window
 
 
-def screen(command: F) -> F:
-    """The options of `Screen`, each a parameter."""
+def screen(command: Callable[..., int]) -> Callable[..., int]:
+    """The options of `Screen`: the command gets what they say as one parameter, `shown`."""
+
+    @wraps(command)
+    def shown(
+        *, arena: str | None, fps: str | None, silent: bool, window: bool, **others: Any
+    ) -> int:
+        how = Screen(arena, None if fps is None else int(fps), silent, window)
+        return command(shown=how, **others)
+
     for option in (
         click.option(
             "--fps", type=click.Choice(["30", "60"]),
@@ -74,8 +94,22 @@ def screen(command: F) -> F:
         click.option("--window", "-window", is_flag=True, help="Play in 100 x 32 cells in the middle."),
         click.option("--no-sound", "-nosound", "silent", is_flag=True, help="No sound."),
     ):  # fmt: skip
-        command = option(command)
-    return command
+        shown = option(shown)
+    return shown
+
+
+def plain(command: F) -> F:
+    """--plain, for a game that one only looks at."""
+    return click.option(
+        "--plain", is_flag=True, help="Tell it in words, a line an event, without a terminal."
+    )(command)
+
+
+def seed(command: F) -> F:
+    """--seed of games, which draw one if nobody says."""
+    return click.option(
+        "--seed", type=int, metavar="N", help="The seed; without it a game draws one, and a scene has its own."
+    )(command)  # fmt: skip
 
 
 class Shelf:
@@ -195,13 +229,3 @@ def opened(wanted: Wanted | Launched | None, shown: Screen) -> int:
         click.echo("this is a bug in fasteroids", err=True)
         return BUG
     return code or 0
-
-
-def seed(command: F) -> F:
-    """--seed of games, which draw one if nobody says."""
-    return click.option(
-        "--seed", type=int, metavar="N", help="The seed; without it a game draws one, and a scene has its own."
-    )(command)  # fmt: skip
-
-
-model = options.model

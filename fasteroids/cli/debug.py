@@ -39,10 +39,7 @@ def command(
     bots: tuple[str, ...],
     seed: int | None,
     model: str | None,
-    arena: str | None,
-    fps: str | None,
-    silent: bool,
-    window: bool,
+    shown: arcade.Screen,
 ) -> int:
     """Debug ship programs: FILE is a recording, or the number or name of one that `fasteroids replay` lists.
 
@@ -63,8 +60,7 @@ def command(
         begun = evolve(begun, session=visited(begun.session, at, who))
     except ModelError as error:
         raise Refusal(f"{begun.title}: {error}") from None
-    shown = arcade.Screen(arena, None if fps is None else int(fps), silent, window, seed, model)
-    return arcade.opened(begun, shown)
+    return arcade.opened(begun, evolve(shown, seed=seed, model=model))
 
 
 def _wanted(place: str, bots: tuple[str, ...], seed: int | None, model: str | None) -> Wanted:

@@ -5,8 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import click
+from attrs import evolve
 
 from fasteroids.cli import _arcade as arcade
+from fasteroids.cli import _options as options
 from fasteroids.cli._telling import told
 
 if TYPE_CHECKING:
@@ -26,7 +28,7 @@ _PILOT, _FIGHTER = "ace", "hunter"
 )  # fmt: skip
 @click.option("--two", is_flag=True, help="Two players on one keyboard.")
 @arcade.seed
-@arcade.model
+@options.model
 @arcade.screen
 @click.option(
     "--plain", is_flag=True,
@@ -38,10 +40,7 @@ def command(
     two: bool,
     seed: int | None,
     model: str | None,
-    arena: str | None,
-    fps: str | None,
-    silent: bool,
-    window: bool,
+    shown: arcade.Screen,
     plain: bool,
 ) -> int:
     """Play on the terminal.
@@ -62,7 +61,7 @@ def command(
     wanted = _wanted(scene, ai, 2 if two else 1, seed, model, plain)
     if plain:
         return told(arcade.begun(wanted), live=True)
-    shown = arcade.Screen(arena, None if fps is None else int(fps), silent, window, seed, model)
+    shown = evolve(shown, seed=seed, model=model)
     asked = scene is not None or ai is not None or two
     return arcade.opened(wanted if asked else None, shown)
 

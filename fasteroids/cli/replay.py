@@ -24,16 +24,11 @@ __all__ = ["command", "found_in_list"]
 @click.argument("file", required=False, type=click.Path())
 @click.option("--json", "as_json", is_flag=True, help="List the recordings as JSON Lines.")
 @arcade.screen
-@click.option(
-    "--plain", is_flag=True, help="Tell it in words, a line an event, without a terminal."
-)
+@arcade.plain
 def command(
     file: str | None,
     as_json: bool,
-    arena: str | None,
-    fps: str | None,
-    silent: bool,
-    window: bool,
+    shown: arcade.Screen,
     plain: bool,
 ) -> int:
     """List the last games, the newest first; or look at a recording.
@@ -53,7 +48,6 @@ def command(
     wanted = Recorded(_place(file, briefs(folder)))
     if plain:
         return told(arcade.begun(wanted), live=False)
-    shown = arcade.Screen(arena, None if fps is None else int(fps), silent, window)
     return arcade.opened(wanted, shown)
 
 

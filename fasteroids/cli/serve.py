@@ -10,8 +10,10 @@ from importlib.util import find_spec
 from ipaddress import ip_address
 
 import click
+from attrs import evolve
 
 from fasteroids.cli import _arcade as arcade
+from fasteroids.cli import _options as options
 from fasteroids.cli._guard import DONE, Refusal
 
 __all__ = ["command"]
@@ -24,17 +26,14 @@ __all__ = ["command"]
 )  # fmt: skip
 @click.option("--port", type=click.IntRange(1, 65535), default=8000, show_default=True, metavar="N")
 @arcade.seed
-@arcade.model
+@options.model
 @arcade.screen
 def command(
     host: str,
     port: int,
     seed: int | None,
     model: str | None,
-    arena: str | None,
-    fps: str | None,
-    silent: bool,
-    window: bool,
+    shown: arcade.Screen,
 ) -> int:
     """Play in a browser: serve the game at http://127.0.0.1:8000, until Ctrl-C. It needs the extra 'web'.
 
@@ -44,7 +43,7 @@ def command(
     if find_spec("textual_serve") is None:
         raise Refusal("the game in a browser needs an extra: pip install 'fasteroids[web]'")
     serve = import_module("textual_serve.server").Server  # an extra: types may be missing
-    shown = arcade.Screen(arena, None if fps is None else int(fps), silent, window, seed, model)
+    shown = evolve(shown, seed=seed, model=model)
     words = [sys.executable, "-m", "fasteroids", "play", *shown.words]
     if not _loopback(host):
         click.echo(

@@ -17,18 +17,13 @@ __all__ = ["command"]
 @options.seed
 @options.model
 @arcade.screen
-@click.option(
-    "--plain", is_flag=True, help="Tell it in words, a line an event, without a terminal."
-)
+@arcade.plain
 def command(
     scene: str,
     bots: tuple[str, ...],
     seed: int | None,
     model: str | None,
-    arena: str | None,
-    fps: str | None,
-    silent: bool,
-    window: bool,
+    shown: arcade.Screen,
     plain: bool,
 ) -> int:
     """Look on while the programs of SCENE play, on the terminal.
@@ -43,5 +38,4 @@ def command(
     wanted = SceneGame(scene, 0, bots, seed, model)
     if plain:
         return told(arcade.begun(wanted), live=True)
-    shown = arcade.Screen(arena, None if fps is None else int(fps), silent, window)
     return arcade.opened(wanted, shown)

@@ -6,6 +6,7 @@ same bits (law L11); that is what a timeline thins its states by, and what a rec
 
 from __future__ import annotations
 
+from math import inf
 from typing import NamedTuple, TypeAlias
 
 from attrs import frozen
@@ -31,6 +32,11 @@ class Place(NamedTuple):
     nth: int = 0
     """0 is the moment as time reaches it, before anything happens at it."""
 
+    @classmethod
+    def end_of(cls, moment: Moment) -> Place:
+        """A place after all that happens at a moment. It is a bound to look by; no state stands there."""
+        return cls(*moment, inf)  # type: ignore[arg-type]  # more than any number of happenings
+
     @property
     def moment(self) -> Moment:
         """The moment of it."""
@@ -40,6 +46,11 @@ class Place(NamedTuple):
     def time(self) -> float:
         """Seconds since the start: the double nearest to the moment."""
         return seconds(self.window, self.offset)
+
+    @property
+    def before(self) -> Place:
+        """The place right before the happening that led here; there is one, so `nth` is 1 or more."""
+        return self._replace(nth=self.nth - 1)
 
     def after(self, moment: Moment) -> Place:
         """The place right after the next happening, which is at a moment not before this one."""

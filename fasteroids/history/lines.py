@@ -213,13 +213,8 @@ def _bridged(gap: Gap, dropped: Kept, *, cuts: bool) -> Gap:
     elif cuts:
         size, givens = size + 1, (*givens, Given(place, what))
     if isinstance(what, Told):
-        givens = (*givens, Given(_before(place), what.what, world.clock[2]))
+        givens = (*givens, Given(place.before, what.what, world.clock[2]))
     return Gap(size, givens + after.givens, marks)
-
-
-def _before(place: Place) -> Place:
-    """The place an input came at, from the place of the state after it."""
-    return place._replace(nth=place.nth - 1)
 
 
 def _grouped(chunks: PVector[Chunk]) -> PVector[Chunk]:

@@ -51,11 +51,7 @@ def before_all_at(at: At) -> Place:
 
 def past_all_at(at: At) -> Place:
     """A place as it is; of a time a place after all that happens at it. `ModelError` if it is no time."""
-    return at if isinstance(at, Place) else _past_all(clock_at(at)[:2])
-
-
-def _past_all(moment: Moment) -> Place:
-    return Place(*moment, inf)  # type: ignore[arg-type]  # more than any number of happenings
+    return at if isinstance(at, Place) else Place.end_of(clock_at(at)[:2])
 
 
 def known(timeline: Timeline, entity: int) -> int:
@@ -215,7 +211,7 @@ def _stretch(timeline: Timeline, after: At | None, before: At | None) -> tuple[L
     """
     first, last = timeline.first.place, timeline.world.now
     start = first if after is None else before_all_at(after)
-    end = _past_all(last) if before is None else past_all_at(before)
+    end = Place.end_of(last) if before is None else past_all_at(before)
     if not first <= start <= end or start.moment > last:
         raise ModelError(
             f"a stretch of this past lies between {first.time!r} s and {timeline.world.time!r} s and ends after it "

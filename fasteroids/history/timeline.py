@@ -13,7 +13,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
-from math import inf
 from typing import Any, Final
 
 from attrs import evolve, field, frozen
@@ -205,7 +204,7 @@ class Timeline:
             raise ModelError(
                 f"this past goes from {first.time!r} s to {last.time!r} s; there is no {shown(time)} s in it"
             )
-        world = self.reached(Place(*clock[:2], inf)).world  # type: ignore[arg-type]  # after all of that moment
+        world = self.reached(Place.end_of(clock[:2])).world
         return world if world.clock == clock else evolve(world, clock=clock)
 
     def reached(self, place: Place) -> Lived:
@@ -269,6 +268,14 @@ class Timeline:
             found.insert(0, (self.lines[parent], found[0][0].first.place))
         return found
 
+    def holds(self, name: str, place: Place) -> bool:
+        """Is a place on the line of this name in the past of the line that time goes on in?
+
+        Not if that past does not come by the line, or has left it before.
+        """
+        ends = {line.name: self.last.place if end is None else end for line, end in self._lines()}
+        return name in ends and place <= ends[name]
+
     # Branches and bookmarks.
 
     def branch(self, at: float | Place, name: str | None = None) -> Timeline:
@@ -297,7 +304,7 @@ class Timeline:
 
         Right before what happens at a moment time is not cut either: the happening does that.
         """
-        place = at if isinstance(at, Place) else Place(*self.at(at).now, inf)  # type: ignore[arg-type]  # after all of it
+        place = at if isinstance(at, Place) else Place.end_of(self.at(at).now)
         if isinstance(at, Place) and not self.first.place <= at <= self.last.place:
             raise ModelError(f"there is no place {tuple(at)} in this past")
         state = self.state(place)

@@ -1,7 +1,7 @@
-"""Two files of the user: the high scores in the data folder, the settings in the config folder.
+"""Two files of the user: the high scores in the data folder, the settings in the config folder; and names of new ones.
 
-A file that cannot be read or written is told of once, and the game goes on without it. Both are written whole: a new
-file takes the place of the old one, so a crash leaves one of the two.
+What cannot be read or written is told of once, and the game goes on without it. Both are written whole: a new file
+takes the place of the old one, so a crash leaves one of the two.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import Final
+from typing import IO, Final
 
 from attrs import evolve
 
@@ -20,13 +20,13 @@ from fasteroids.tui.scores import EMPTY, Score, Table, entered, merged, table_of
 from fasteroids.tui.settings import DEFAULTS, Settings, read_settings
 from fasteroids.tui.settings import text_of as settings_text
 
-__all__ = ["Store", "config_file", "data_folder"]
+__all__ = ["Store", "config_file", "data_folder", "new_file"]
 
-_PATIENCE: Final = (
-    2.0  # seconds to wait for another process that writes; it takes some milliseconds
-)
+_PATIENCE: Final = 2.0
+"""Seconds to wait for another process that writes; it takes some milliseconds."""
 _MOST_BYTES: Final = 1 << 20
 _MOST_ASIDE: Final = 100
+_MOST_A_SECOND: Final = 1000
 
 
 def data_folder() -> Path:
@@ -41,6 +41,20 @@ def config_file() -> Path:
     from platformdirs import user_config_path
 
     return user_config_path("fasteroids", appauthor=False) / "config.toml"
+
+
+def new_file(folder: Path, suffix: str) -> tuple[Path, IO[bytes]]:
+    """A new file, open to be written, in a folder that is made if need be; it takes the place of no other.
+
+    Its name is the local time to the second, with a number if that is taken. `OSError` if it cannot be made.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    stamp = time.strftime("%Y%m%d-%H%M%S")
+    for number in range(1, _MOST_A_SECOND + 1):
+        place = folder / f"{stamp}{'' if number == 1 else f'-{number}'}{suffix}"
+        with suppress(FileExistsError):
+            return place, place.open("xb")
+    raise OSError(None, f"there are {_MOST_A_SECOND} files of this second", str(folder))
 
 
 class Store:

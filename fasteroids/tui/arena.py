@@ -19,7 +19,7 @@ from textual.strip import Strip
 
 from fasteroids.tui import palette
 from fasteroids.tui.camera import Frame
-from fasteroids.tui.canvas import Row
+from fasteroids.tui.canvas import Cells
 from fasteroids.tui.lines import Lines
 
 __all__ = ["Arena", "painted"]
@@ -30,7 +30,7 @@ _STYLES: Final = tuple(
     for colour in palette.COLOURS
 )
 
-_EMPTY: Final = Row("", ())
+_EMPTY: Final = Cells("", ())
 _WORD: Final = re.compile(r" +|[^ ]+")
 
 
@@ -50,9 +50,9 @@ class Arena(Lines):
     ) -> None:
         super().__init__(name=name, id=id, classes=classes)
         self._frame = Frame(0, ())
-        self._strips: dict[Row, Strip] = {}
+        self._strips: dict[Cells, Strip] = {}
         self._width = 0
-        self._cut: Callable[[Row], list[Segment]] = _segments
+        self._cut: Callable[[Cells], list[Segment]] = _segments
 
     @property
     def frame(self) -> Frame:
@@ -85,7 +85,7 @@ class Arena(Lines):
         finally:
             self._recut(_segments)
 
-    def _recut(self, cut: Callable[[Row], list[Segment]]) -> None:
+    def _recut(self, cut: Callable[[Cells], list[Segment]]) -> None:
         self._cut = cut
         self._strips = {}
         self.refresh()
@@ -103,13 +103,13 @@ class Arena(Lines):
         return strip
 
 
-def painted(row: Row, width: int) -> Strip:
+def painted(row: Cells, width: int) -> Strip:
     """A row as a strip of a width."""
     strip = Strip(_segments(row), len(row.text))
     return strip if len(row.text) == width else strip.adjust_cell_length(width, _BLANK)
 
 
-def _segments(row: Row) -> list[Segment]:
+def _segments(row: Cells) -> list[Segment]:
     """A row as text with styles, each run with the blanks up to the next one: fewer changes of style to send."""
     text, runs = row
     if not runs:
@@ -121,7 +121,7 @@ def _segments(row: Row) -> list[Segment]:
     ]
 
 
-def _words(row: Row) -> list[Segment]:
+def _words(row: Cells) -> list[Segment]:
     """A row as text with styles, blanks and words apart."""
     styles = [_BLANK] * len(row.text)
     for start, end, colour in row.runs:

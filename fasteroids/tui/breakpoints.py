@@ -23,18 +23,15 @@ from fasteroids.history import (
     Point,
     Tick,
     Timeline,
-    last_change,
     next_tick,
     previous_tick,
-    tick_at,
 )
 from fasteroids.history.living import Lived, reached
-from fasteroids.history.stepping import is_tick_of
 from fasteroids.lang.machine import Machine
 from fasteroids.state import World, flight, replaced
 from fasteroids.units import ModelError, shown
 
-__all__ = ["MOST_TICKS", "AtLine", "Breakpoint", "Found", "When", "last_write", "next_break"]
+__all__ = ["MOST_TICKS", "AtLine", "Breakpoint", "Found", "When", "next_break"]
 
 MOST_TICKS: Final = 50
 """So many ticks are looked through at once, if nobody says: 10 s of a past."""
@@ -104,29 +101,6 @@ def next_break(
                     if stopping[i]:
                         return Found(point, each, looked, last.place, exhausted=False)
     return Found(None, None, looked, last.place, exhausted=next(walk, None) is None)
-
-
-def last_write(timeline: Timeline, name: str, position: Point) -> Point | None:
-    """In front of the step that gave a variable of the program the value it has at a position.
-
-    None if nothing did since the past began, or since the ship got its program. A tick that changes a variable, and
-    back again, left it as it was; asked behind it, the write before it counts. `ModelError` if there is no such
-    variable.
-    """
-    if name not in position.machine.store:
-        raise ModelError(
-            f"the program has {', '.join(sorted(position.machine.store)) or 'no variables'}; got {shown(name)}"
-        )
-    tick, ship = position.tick, position.tick.ship
-    done = [i for i in tick.writes(name) if i < position.step]
-    if done:
-        return Point(tick, done[-1])
-    changed = last_change(timeline, ship, f"program.{name}", before=tick.place)
-    if changed is None or not is_tick_of(changed.state.what, ship):
-        return None
-    tick = tick_at(timeline, ship, changed.state.place)
-    writes = tick.writes(name)
-    return Point(tick, writes[-1]) if writes else None  # none among the steps that are kept
 
 
 def _ticks(timeline: Timeline, tick: Tick | None, step: int) -> Iterator[Tick]:

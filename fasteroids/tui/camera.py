@@ -18,7 +18,7 @@ from fasteroids.entities import Asteroid, Bullet, Entity, Ship, id_of
 from fasteroids.physics import distance
 from fasteroids.state import World, located
 from fasteroids.tui import palette
-from fasteroids.tui.canvas import Canvas, Row, canvas
+from fasteroids.tui.canvas import Canvas, Cells, canvas
 from fasteroids.tui.looks import DEATH_LASTS, ZOOMS, Death, Look, Viewport, viewport
 from fasteroids.tui.overlay import Overlay, Point
 
@@ -39,7 +39,7 @@ class Frame:
     """A picture: so many rows of so many cells. Two that compare equal look the same."""
 
     columns: int
-    rows: tuple[Row, ...]
+    rows: tuple[Cells, ...]
 
     def __str__(self) -> str:
         """The text without colours."""

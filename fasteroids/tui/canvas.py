@@ -18,10 +18,10 @@ from functools import lru_cache
 from math import ceil, cos, floor, inf, sin, sqrt, tau
 from typing import ClassVar, Final, NamedTuple, TypeAlias
 
-__all__ = ["SURFACES", "Block", "Braille", "Canvas", "Dots", "Row", "Signs", "canvas"]
+__all__ = ["SURFACES", "Block", "Braille", "Canvas", "Cells", "Dots", "Signs", "canvas"]
 
 
-class Row(NamedTuple):
+class Cells(NamedTuple):
     """A row of cells: its text, and who painted it. Blank cells are spaces."""
 
     text: str
@@ -128,11 +128,11 @@ class Canvas:
 
     # Reading.
 
-    def read(self) -> tuple[Row, ...]:
+    def read(self) -> tuple[Cells, ...]:
         """The rows, from the top."""
         return tuple(self._rows())
 
-    def _rows(self) -> Iterator[Row]:
+    def _rows(self) -> Iterator[Cells]:
         columns, ink, cells, signs = self.columns, self._ink, self._cells, self.signs
         texts: dict[int, list[tuple[int, str]]] = {}
         for row, column, text in self._texts:
@@ -146,7 +146,7 @@ class Canvas:
                 (m.start() - start, m.end() - start, ink[m.start()])
                 for m in _RUN.finditer(ink, start, end)
             )
-            yield Row(line, runs)
+            yield Cells(line, runs)
 
     # What surfaces differ in.
 

@@ -89,8 +89,12 @@ def _jump(session: Session, kind: Kind, direction: int) -> Session:
 
 def _to_bookmark(session: Session, direction: int) -> Session:
     """The nearest bookmark of this past on one side."""
-    marks = [(b.state.place, b.name) for b in session.timeline.bookmarks.values()]
-    here = session.place
+    timeline, here = session.timeline, session.place
+    marks = [
+        (b.state.place, b.name)
+        for b in timeline.bookmarks.values()
+        if timeline.holds(b.line, b.state.place)
+    ]
     ahead = [m for m in marks if (m[0] > here if direction > 0 else m[0] < here)]
     if not ahead:
         return evolve(session, said=f"no {'later' if direction > 0 else 'earlier'} bookmark")

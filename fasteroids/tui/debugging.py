@@ -57,9 +57,8 @@ _ENDED: Final = "the program has come to its end"
 _AT_ONCE: Final = 5
 """Ticks that are looked through at once; a tick of many steps takes some 20 ms."""
 
-_IN_FRONT: Final = (
-    -1
-)  # the step in front of all steps of a tick: where the first of them comes next
+_IN_FRONT: Final = -1
+"""The step in front of all steps of a tick: where the first of them comes next."""
 
 
 def flown(session: Session) -> int | None:
@@ -121,9 +120,8 @@ def _standing(session: Session, ship: int) -> Point | None:
 
 
 def before_tick(point: Point) -> Place:
-    """The place right before a tick."""
-    place = point.tick.place
-    return place._replace(nth=place.nth - 1)
+    """The place right before the tick of a point."""
+    return point.tick.place.before
 
 
 def stand(session: Session, point: Point) -> Session:

@@ -1,8 +1,7 @@
 """Another program from here on: the past is branched, the edited program runs, and the rest is given again.
 
-    outcome = edited(timeline, 1, text, at)
-    if isinstance(outcome, Edited): outcome.timeline, outcome.left_out, outcome.parted
-    else: the diagnostics of the text
+    outcome = yield from editing(timeline, 1, program, at)
+    outcome.timeline, outcome.left_out, outcome.parted
 
 What players and programs of other ships did not decide, the world outside gives again: inputs at their times. An
 input names entities by id. An id means the same in both futures if it was given before they part, or to what an
@@ -36,19 +35,15 @@ from fasteroids.history import (
 )
 from fasteroids.history.living import cuts_decide
 from fasteroids.history.marks import wanted
-from fasteroids.lang import Diagnostic, check_program, parse_program
-from fasteroids.moments import Clock, advanced, between, clock_at
+from fasteroids.moments import Clock, advanced, between
 from fasteroids.units import ModelError
 
-__all__ = ["Edited", "LeftOut", "edited", "editing"]
-
+__all__ = ["Edited", "LeftOut", "editing"]
 
 _PIECE: Final = 1.0
 """Seconds of the game that are lived at once, if that gives no more than `_MOST_PIECES`."""
 
 _MOST_PIECES: Final = 200
-
-_LAST: Final = 2**63  # comes after all that happens at a moment
 
 
 @frozen
@@ -75,55 +70,23 @@ class Edited:
     """Where the two lines first do something different, seen from outside; None if they do not."""
 
 
-def edited(
-    timeline: Timeline,
-    ship: int,
-    text: str,
-    at: float | Place,
-    *,
-    until: float | None = None,
-    name: str | None = None,
-) -> Edited | tuple[Diagnostic, ...]:
-    """The timeline with a branch at a time or place in which a ship runs an edited program from its beginning.
-
-    It goes as far as the old line did, or up to `until` (s) if that is sooner. All its diagnostics if the text is no
-    program without errors; then there is no branch. It takes as long as that future takes to live: see `editing`.
-    `ModelError` if there is no such ship then, or as `Timeline.branch`.
-    """
-    checked = check_program(parse_program(text))
-    if checked.program is None:
-        return checked.diagnostics
-    work = editing(timeline, ship, checked.program, at, until=until, name=name)
-    while True:
-        try:
-            next(work)
-        except StopIteration as stop:
-            result: Edited = stop.value
-            return result
-
-
 def editing(
-    timeline: Timeline,
-    ship: int,
-    program: Program,
-    at: float | Place,
-    *,
-    until: float | None = None,
-    name: str | None = None,
+    timeline: Timeline, ship: int, program: Program, at: float | Place
 ) -> Generator[float, None, Edited]:
-    """As `edited` with a checked program, in pieces: yields the time it has come to, and returns what it came to.
+    """The timeline with a branch at a time or place in which a ship runs another program from its beginning.
+
+    It goes as far as the old line did. In pieces: yields the time (s) it has come to, and returns what it came to.
+    `ModelError` if there is no such ship then, or as `Timeline.branch`.
 
     A piece is a second of the game, or a 200th of all if that is more; or under literal thrust, where no more cuts may
     be made than there were, up to the next of those. Whoever shows a screen can so stay awake, and give up in between.
     """
-    fork = timeline.branch(at, name)
+    fork = timeline.branch(at)
     start, last, clock = fork.last.place, timeline.last, timeline.world.clock
     piece = max(_PIECE, between(start.moment, clock[:2]) / _MOST_PIECES)
     again = _Again(fork.instruct(ship, program), ship, fork.world.roster.next_id, piece)
     whole = isinstance(last.what, Cut)  # else it ends between two happenings, or with an input
-    if until is not None and clock_at(until) < clock:
-        clock, whole = max(clock_at(until), fork.world.clock), True
-    end = Place(*clock[:2], _LAST) if whole else last.place
+    end = Place.end_of(clock[:2]) if whole else last.place
     for place, what, born in _inputs(timeline, start, end):
         if isinstance(what, Cut):
             again.cut(what.clock)
@@ -157,7 +120,7 @@ def _inputs(timeline: Timeline, start: Place, end: Place) -> Iterator[_Given]:
 def _told(states: Iterable[Lived], *, cuts: bool) -> Iterator[_Given]:
     for place, what, _ in states:
         if isinstance(what, Told):
-            yield place._replace(nth=place.nth - 1), what.what, what.born
+            yield place.before, what.what, what.born
         elif cuts and isinstance(what, Cut):
             yield Place(*what.clock[:2]), what, ()
 

@@ -16,6 +16,7 @@ from typing import IO, Final
 from attrs import evolve
 
 from fasteroids.history.recording import RecordingFile, headed
+from fasteroids.tui._store import new_file
 from fasteroids.tui.session import Session, game_at
 from fasteroids.units import ModelError
 
@@ -83,15 +84,7 @@ class Keeper:
             self._fail(error)
 
     def _open(self, session: Session) -> None:
-        self._folder.mkdir(parents=True, exist_ok=True)
-        stamp = time.strftime("%Y%m%d-%H%M%S")
-        names = (f"{stamp}{'' if n == 1 else f'-{n}'}{SUFFIX}" for n in range(1, 1000))
-        for name in names:
-            with suppress(FileExistsError):
-                self.path = self._folder / name
-                self._file = self.path.open("xb")
-                break
-        assert self._file is not None
+        self.path, self._file = new_file(self._folder, SUFFIX)
         first = session.timeline.first.world
         header = evolve(headed(first, title=self._title), extra={GAME: _rules(session)})
         self._recording = RecordingFile(self._file, first, header, clock=time.monotonic)
@@ -103,9 +96,8 @@ class Keeper:
         recording, file = self._recording, self._file
         self._recording = self._file = None
         if recording is not None and session is not None:
-            name = session.timeline.name
             for mark in session.timeline.bookmarks.values():
-                if mark.line == name:
+                if session.timeline.holds(mark.line, mark.state.place):
                     recording.bookmark(mark.name, mark.state.place)
             recording.finish(session.timeline.world.clock)
             recording.close()

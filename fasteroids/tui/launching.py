@@ -12,13 +12,10 @@ from pathlib import Path, PurePath
 from typing import Final, Literal, Protocol, TypeAlias
 
 from attrs import evolve, frozen
-from pyrsistent import pmap
 
 from fasteroids.actions import Program
-from fasteroids.history import BUDGET, MAIN, Cut, Lived, Timeline
-from fasteroids.history.lines import appended, begun
-from fasteroids.history.living import beginning
 from fasteroids.history.recording import Recording, RecordingError, read
+from fasteroids.history.recording.loading import timeline_of
 from fasteroids.state import World, instructed
 from fasteroids.tui.game import LIVES, Game, Player, new_game, ruled
 from fasteroids.tui.keeping import GAME
@@ -35,7 +32,6 @@ __all__ = [
     "Wanted",
     "launched",
     "new_seed",
-    "timeline_of",
     "with_seed",
 ]
 
@@ -191,29 +187,6 @@ def _recorded(wanted: Recorded, place: Path) -> Launched:
     session = reviewed(timeline, game=_game(recording))
     said = recording.short or f"seed {world.seed}"
     return Launched(wanted, recording.header.title or place.name, evolve(session, said=said))
-
-
-def timeline_of(recording: Recording, *, budget: int = BUDGET) -> Timeline:
-    """The past that a recording tells, lived again, with its bookmarks.
-
-    `ModelError` if it cannot be lived again.
-    """
-    first = beginning(recording.world)
-    past, states = recording.past(), []
-    while True:
-        try:
-            states.append(next(past))
-        except StopIteration as stop:
-            last: Lived = stop.value
-            break
-    end = (*last.world.now, 0.0) if recording.result is None else recording.until
-    if last.world.now > (states[-1] if states else first).world.now:
-        states.append(Lived(last.place, Cut(end), last.world))
-    line = appended(begun(MAIN, None, first), states)
-    timeline = Timeline(pmap({MAIN: line}), budget=budget)
-    for mark in recording.bookmarks:
-        timeline = timeline.bookmark(mark.name, mark.place)
-    return timeline.thin()
 
 
 def _game(recording: Recording) -> Game:

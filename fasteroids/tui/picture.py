@@ -1,6 +1,7 @@
 """What a session looks like: the look that the camera takes, and the lines around the arena. Pure.
 
-`Stage` is all that decides a frame: the session, and how the player wants to see it.
+A session and a `View`, how the player wants to see it, are all that decides a frame; but for what is to come, which
+whoever draws it asks for now and then (see `fasteroids.tui.overlay`).
 """
 
 from __future__ import annotations

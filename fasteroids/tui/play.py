@@ -18,7 +18,7 @@ from fasteroids.entities import Ship
 from fasteroids.events import Happened
 from fasteroids.tui.arena import Arena
 from fasteroids.tui.camera import Frame, frame
-from fasteroids.tui.canvas import Row
+from fasteroids.tui.canvas import Cells
 from fasteroids.tui.chronicle import chronicle_of
 from fasteroids.tui.commanding import commanded, viewed
 from fasteroids.tui.controls import Hands, acted, let_go, pressed, released, reported, synced
@@ -337,7 +337,7 @@ class Play(Screen[None], inherit_bindings=False):
         arena = self.query_one(Arena)
         self.frames += 1
         if small is not None:
-            arena.show(Frame(columns, (Row(small[:columns].ljust(columns), ()),)))
+            arena.show(Frame(columns, (Cells(small[:columns].ljust(columns), ()),)))
             for name in ("#status", "#strip", "#said"):
                 self.query_one(name, Rows).show(())
             return

@@ -2,7 +2,7 @@
 
     ship, text = source_of(session)
     program = checked(text)                         or its diagnostics
-    session = rewritten(session, ship, program)     in pieces: `rewriting`
+    session = yield from rewriting(session, ship, program)
 
 The past up to there stays, the rest is lived again with the other program (`fasteroids.tui.edits`). The new line is
 the one that time goes on in; the old future is seen as ghosts.

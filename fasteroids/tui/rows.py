@@ -130,6 +130,6 @@ _BOND: Final = "\x00"  # stands for a blank at which no row ends; legible text h
 _WIDE: Final = 10
 
 
-def clock(time: float) -> str:
-    """A time for people, s: to the millisecond."""
-    return f"{time:.3f}" if time < 1e9 else f"{time:.9g}"
+def clock(time: float, digits: int = 3) -> str:
+    """A time for people, s: to the millisecond, or with so many digits after the point."""
+    return f"{time:.{digits}f}" if time < 1e9 else f"{time:.9g}"

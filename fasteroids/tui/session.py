@@ -13,7 +13,6 @@ slow terminal shows fewer frames of the same game.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from math import inf
 from typing import Final, Literal, TypeAlias
 
 from attrs import evolve, field, frozen
@@ -33,7 +32,8 @@ from fasteroids.history import (
     previous_state,
 )
 from fasteroids.history.marks import Kind
-from fasteroids.moments import advanced, clock_at
+from fasteroids.history.questions import past_all_at
+from fasteroids.moments import advanced
 from fasteroids.state import World
 from fasteroids.tui.breakpoints import Breakpoint
 from fasteroids.tui.game import Game, granted, judged, ruled, wishes
@@ -243,8 +243,7 @@ def _moved(session: Session, span: float) -> Session:
 
 def _after_all(session: Session, time: float) -> Place:
     """The place after all that happened at a time."""
-    place = Place(*clock_at(time)[:2], inf)  # type: ignore[arg-type]  # more than any number of happenings
-    return session.timeline.reached(place).place
+    return session.timeline.reached(past_all_at(time)).place
 
 
 # Looking.
@@ -348,13 +347,12 @@ def take_over(session: Session) -> Session:
     """Time lives on from where one looks, in another line; the old future stays."""
     if session.live:
         return resumed(session)
-    place, name = session.place, session.timeline.name
+    place = session.place
     timeline = session.timeline.branch(place)
-    games = tuple(each for each in session.games[name] if each[0] <= place)
     return evolve(
         session,
         timeline=timeline,
-        games=session.games.set(timeline.name, games or session.games[name][:1]),
+        games=session.games.set(timeline.name, _games_up_to(session, place)),
         at=None,
         running=1,
         fate=None,
@@ -362,16 +360,20 @@ def take_over(session: Session) -> Session:
     )
 
 
+def _games_up_to(session: Session, place: Place) -> _Judged:
+    """How the game stood in this line up to a place: what a line that branches off there begins with."""
+    games = session.games[session.timeline.name]
+    return tuple(each for each in games if each[0] <= place) or games[:1]
+
+
 def other_line(session: Session, timeline: Timeline) -> Session:
     """Another line, branched off this one and lived already: one looks at the first that happened in it, in a pause."""
     start = timeline.line.first
-    games = session.games[session.timeline.name]
-    kept = tuple(each for each in games if each[0] <= start.place) or games[:1]
     first = next(iter(timeline.forwards(start.place)), start)
     session = evolve(
         session,
         timeline=timeline,
-        games=session.games.set(timeline.name, kept),
+        games=session.games.set(timeline.name, _games_up_to(session, start.place)),
         at=first.place,
         running=0,
         point=None,

@@ -190,7 +190,7 @@ def _label(time: float, stretch: Stretch, width: int) -> str:
     digits = 0
     while digits < 6 and 10.0**-digits > stretch.span / max(width, 1):
         digits += 1
-    return f"{time:.{digits}f}" if time < 1e9 else f"{time:.9g}"
+    return clock(time, digits)
 
 
 def _below(
@@ -248,31 +248,18 @@ def _marks(
     keys |= {"shot": "shot", "input": "input"}
     if selected is not None:
         keys["contact"] = selected, "contact"
-    edges, ends = _edges(stretch, columns), _lines(timeline)
+    edges = _edges(stretch, columns)
     for mark in _LOOKS:
         if mark == "bookmark":
             for bookmark in timeline.bookmarks.values():
-                if bookmark.state.place <= ends.get(bookmark.line, _NEVER):
+                if timeline.holds(bookmark.line, bookmark.state.place):
                     note(mark, bookmark.state.place)
         elif mark == "branch":
             for line in timeline.lines.values():
-                if line.parent and line.first.place <= ends.get(line.parent, _NEVER):
+                if line.parent and timeline.holds(line.parent, line.first.place):
                     note(mark, line.first.place)
         elif mark in keys:
             for k, part in enumerate(chronicle.parts(keys[mark], edges)):
                 if part:
                     found.setdefault(k, (mark, chronicle.entries(keys[mark])[part[0]].place))
-    return found
-
-
-_NEVER: Final = Place(-1, 0.0)
-_LAST: Final = 2**63  # comes after all that happens at a moment
-
-
-def _lines(timeline: Timeline) -> dict[str, Place]:
-    """The lines that the past of this one is made of, and up to which place each is part of it."""
-    line, found = timeline.line, {timeline.name: Place(*timeline.world.now, _LAST)}
-    while line.parent is not None:
-        found[line.parent] = line.first.place
-        line = timeline.lines[line.parent]
     return found

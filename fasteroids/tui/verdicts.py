@@ -11,7 +11,7 @@ somebody wants to know, and keep the answer. Rows are made of answers, at any wi
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Final, NamedTuple, TypeAlias
+from typing import Final, NamedTuple
 
 from attrs import frozen
 
@@ -19,7 +19,6 @@ from fasteroids.entities import id_of
 from fasteroids.events import Happened
 from fasteroids.history import (
     ABSENT,
-    Changed,
     Course,
     Death,
     Deed,
@@ -28,7 +27,6 @@ from fasteroids.history import (
     Parted,
     Place,
     Timeline,
-    diff,
     why,
 )
 from fasteroids.history.living import Told
@@ -36,21 +34,17 @@ from fasteroids.lang.machine.values import Seen
 from fasteroids.lang.machine.values import shown as value_shown
 from fasteroids.moments import Moment, between, later
 from fasteroids.state import Flight, World, describe, located
+from fasteroids.tui.overlay import Point
 from fasteroids.tui.rows import Row, Style, clock, filled, paragraph, row
 from fasteroids.tui.words import called, happened, number
 
 __all__ = [
     "DeathTold",
     "Way",
-    "change_rows",
     "death_of",
     "death_rows",
-    "diff_rows",
     "difference_rows",
 ]
-
-_Point: TypeAlias = tuple[float, float]
-"""(x, y), km."""
 
 _PIECES: Final = 24
 """Straight pieces that stand for a bent path."""
@@ -60,7 +54,7 @@ class Way(NamedTuple):
     """How an entity flew: a line through points, in order; one point if it took no time."""
 
     id: int
-    points: tuple[_Point, ...]
+    points: tuple[Point, ...]
 
 
 @frozen
@@ -104,7 +98,7 @@ def _way(world: World, course: Course, start: Moment, end: Moment) -> Way:
     return Way(entity, tuple(dict.fromkeys((*inner, _at(f, end)))))
 
 
-def _at(f: Flight, moment: Moment) -> _Point:
+def _at(f: Flight, moment: Moment) -> Point:
     return located(f, moment).position
 
 
@@ -162,27 +156,6 @@ def _when(deed: Deed) -> str:
     return f" at {clock(deed.state.place.time)} s{line}{hand}"
 
 
-# Changes.
-
-
-def change_rows(changed: Changed | None, world: World, width: int) -> tuple[Row, ...]:
-    """A change that `fasteroids.history.last_change` found: from what to what, when, by what; or that there was none.
-
-    `world` is for the names of others.
-    """
-    if changed is None:
-        return (row(width, ("it never changed", Style.DIM)),)
-    place = changed.state.place
-    name = changed.field.removeprefix("program.")
-    values = f"{_value(changed.old)} to {_value(changed.new)}"
-    cause = happened(changed.state.what, changed.entity, world)
-    head = f"{called(world, changed.entity)}: {name} from {values}"
-    return (
-        *paragraph(width, head, Style.VALUE, place=place),
-        *paragraph(width, f"at {clock(place.time)} s: {cause}", place=place),
-    )
-
-
 # Differences.
 
 
@@ -217,19 +190,8 @@ def _happening(state: Lived) -> str:
     else:
         ids = (*state.born, *state.died)
         me = getattr(getattr(what, "what", None), "ship", ids[0] if ids else 0)
-    name = describe(state.world[me]) if me in state.world else f"#{me}"
-    return f"{clock(state.place.time)} s {name}: {happened(what, me, state.world)}"
-
-
-def diff_rows(a: World, b: World, width: int, height: int) -> tuple[Row, ...]:
-    """What differs between two worlds, entity by entity, in exactly `height` rows; the last says how much is left."""
-    rows = [row(width, *_difference(each)) for each in diff(a, b)]
-    if not rows:
-        rows = [row(width, ("no difference", Style.GOOD))]
-    if len(rows) > height > 0:
-        left = len(rows) - height + 1
-        rows[height - 1 :] = [row(width, (f"and {left} more", Style.DIM))]
-    return filled(rows, width, height)
+    who = called(state.world, me)
+    return f"{clock(state.place.time)} s {who}: {happened(what, me, state.world)}"
 
 
 def _difference(each: Difference) -> tuple[str | tuple[str, Style], ...]:

@@ -57,9 +57,8 @@ def _looked(session: Session, at: float | None) -> Session:
     death = None if session.selected is None else death_in(timeline, session.selected)
     if death is None:
         return look(session, timeline.last.place)
-    place = death.place
     said = f"ship #{session.selected} dies here; the key for 'why' tells how it came to that"
-    return evolve(look(session, place._replace(nth=place.nth - 1)), said=said)
+    return evolve(look(session, death.place.before), said=said)
 
 
 def death_in(timeline: Timeline, entity: int) -> Lived | None:

@@ -33,7 +33,7 @@ from fasteroids.tui.inspector import entity_rows
 from fasteroids.tui.program_pane import machine_of, program_rows
 from fasteroids.tui.rows import Row
 from fasteroids.tui.strip import Stretch, strip, whole
-from fasteroids.tui.verdicts import death_of, death_rows, diff_rows
+from fasteroids.tui.verdicts import death_of, death_rows
 from tests.properties.laws import BURNING, EXAMPLES, FLOWING
 from tests.unit.making import rock, ship, world_of
 
@@ -102,7 +102,7 @@ def told(chronicle: Chronicle, timeline: Timeline) -> dict[object, object]:
 
 def at(timeline: Timeline, time: float) -> tuple[Lived, float]:
     world = timeline.at(time)
-    return timeline.state(Place(*world.now, 10**9)), time
+    return timeline.state(Place.end_of(world.now)), time
 
 
 def sized(rows: tuple[Row, ...], width: int, height: int | None = None) -> None:
@@ -138,7 +138,7 @@ def test_an_account_says_what_the_timeline_says(pasts: list[Timeline], data: st.
     assert list(chronicle.entries(entity)) == lived
     place, _ = at(timeline, data.draw(times(timeline)))
     for name in FIELDS:
-        known = last_change(timeline, entity, name, before=place.place._replace(nth=10**9))
+        known = last_change(timeline, entity, name, before=Place.end_of(place.place.moment))
         mine = chronicle.last_change(entity, name, place.place)
         assert (mine and mine.place) == (known and known.state.place)
 
@@ -165,7 +165,6 @@ def test_the_panes_of_any_past_have_exactly_their_size(
         if not cuts_decide(world):  # else whatever happens changes who thrusts
             assert {row.place for row in pane} - {None} <= lived
         sized(program_rows(machine_of(world, entity), width, height), width, height)
-    sized(diff_rows(world, timeline.world, width, height), width, height)
     inner = whole(timeline).zoomed(time, 0.25, whole(timeline))
     for stretch in (whole(timeline), inner):
         assert stretch.start <= time <= stretch.end

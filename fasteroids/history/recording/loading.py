@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import Final
 
 from attrs import evolve
@@ -75,19 +74,9 @@ def recorded(timeline: Timeline, *, title: str | None = None) -> str:
     recorder = Recorder(pieces.append, last.world, headed(last.world, title=title))
     for state in timeline.forwards(timeline.first.place):
         recorder.add(state)
-    for mark in sorted(_marks(timeline), key=lambda mark: (mark.state.place, mark.name)):
-        recorder.bookmark(mark.name, mark.state.place)
+    marks = sorted((mark.state.place, mark.name, mark.line) for mark in timeline.bookmarks.values())
+    for place, name, line in marks:
+        if timeline.holds(line, place):
+            recorder.bookmark(name, place)
     recorder.finish(timeline.world.clock, "saved")
     return "".join(pieces)
-
-
-def _marks(timeline: Timeline) -> Iterator[Mark]:
-    """The bookmarks in this past: on its lines, and not after the place where a line is left."""
-    line = timeline.line
-    ends = {line.name: line.last.place}
-    while line.parent is not None:
-        ends[line.parent] = line.first.place
-        line = timeline.lines[line.parent]
-    for mark in timeline.bookmarks.values():
-        if mark.line in ends and mark.state.place <= ends[mark.line]:
-            yield mark

@@ -193,7 +193,7 @@ class Recorder:
             name = named(text)
             if name not in self._known:
                 self._known[name] = new[name] = text
-        return Entered(Given(place._replace(nth=place.nth - 1), what), told.died, told.born, new)
+        return Entered(Given(place.before, what), told.died, told.born, new)
 
     def bookmark(self, name: str, place: Place | None = None) -> None:
         """A name for a place; for the last state, if none is given."""

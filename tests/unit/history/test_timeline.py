@@ -409,3 +409,15 @@ def test_to_reach_a_place_lets_happen_what_came_before_it_and_no_more() -> None:
     assert past.world.clock == (0, 4.999, 0.0)
     assert past.world == whole.at(4.999)
     assert past.reach(Place(0, 2.0)).last is past.last
+
+
+def test_a_past_holds_the_places_of_its_lines_up_to_where_it_leaves_them() -> None:
+    old = begin(game()).evolve(2.0)
+    early, late = old.at(0.5).now, old.at(1.5).now
+    new = old.branch(1.0, "new").evolve(1.0)
+    assert new.holds("main", Place(*early))
+    assert not new.holds("main", Place(*late))
+    assert new.holds("new", Place(*late))
+    back = new.switch("main")
+    assert back.holds("main", Place(*late))
+    assert not back.holds("new", Place(*early))

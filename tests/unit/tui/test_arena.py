@@ -15,7 +15,7 @@ from fasteroids import Asteroid, Ship, World, evolve
 from fasteroids.tui import palette
 from fasteroids.tui.arena import Arena
 from fasteroids.tui.camera import Frame, Look, frame
-from fasteroids.tui.canvas import Row
+from fasteroids.tui.canvas import Cells
 
 WORLD = World(1000, 700).add_all(
     [
@@ -73,8 +73,8 @@ def test_the_widget_shows_the_rows_of_its_frame(kind):
 
 def test_each_run_has_its_colour_and_takes_the_blanks_beside_it():
     async def scenario(_app: Shown, arena: Arena) -> None:
-        blank = Row(" " * 60, ())
-        arena.show(Frame(60, (Row("  a b" + " " * 55, ((2, 3, 2), (4, 5, 10))), blank)))
+        blank = Cells(" " * 60, ())
+        arena.show(Frame(60, (Cells("  a b" + " " * 55, ((2, 3, 2), (4, 5, 10))), blank)))
         segments = [(s.text, s.style) for s in arena.render_line(0)]
         assert [text for text, _ in segments] == ["  a ", "b" + " " * 55]
         inks = [style.color.triplet.hex for _, style in segments]  # type: ignore[union-attr]
@@ -147,7 +147,7 @@ def test_the_lines_are_those_that_textual_would_show(monkeypatch, plain):
 
 def test_a_picture_places_every_word_by_itself():
     async def scenario(app: Shown, arena: Arena) -> None:
-        arena.show(Frame(60, (Row("  ab b" + " " * 54, ((2, 3, 2), (3, 6, 10))),)))
+        arena.show(Frame(60, (Cells("  ab b" + " " * 54, ((2, 3, 2), (3, 6, 10))),)))
         shown = arena.render_line(0)
         before = app.export_screenshot()
         with arena.posing():

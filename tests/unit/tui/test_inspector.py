@@ -9,17 +9,17 @@ from attrs import evolve
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fasteroids import Fire, ModelError, Ship, World, evolve_until, happenings
+from fasteroids import Fire, ModelError, Ship, evolve_until, happenings
 from fasteroids.entities import Entity
-from fasteroids.history import Place, Timeline, begin, diff, first_difference, last_change, why
+from fasteroids.history import Place, Timeline, begin, first_difference, why
 from fasteroids.history.questions import past_all_at
 from fasteroids.lang.report import cells
 from fasteroids.tui.chronicle import Chronicle, chronicle_of
 from fasteroids.tui.inspector import ahead, entity_rows
 from fasteroids.tui.rows import Row, Style
-from fasteroids.tui.verdicts import change_rows, death_of, death_rows, diff_rows, difference_rows
+from fasteroids.tui.verdicts import death_of, death_rows, difference_rows
 from tests.unit.history.pasts import fought, states
-from tests.unit.making import machine, rock, ship, shot, world_of
+from tests.unit.making import machine, rock, ship, world_of
 
 
 @pytest.fixture(scope="module")
@@ -253,35 +253,3 @@ def test_lines_that_do_the_same() -> None:
     timeline = struck().branch(2.0, "new").evolve(5.0)
     rows = difference_rows(first_difference(timeline, "main", "new"), 60, 3)
     assert rows[0].text.strip() == "Both do the same, as far as both have come."
-
-
-def test_two_worlds_differ_field_by_field() -> None:
-    one = world_of(rock(100.0, 100.0, 30.0), rock(500.0, 500.0))
-    other = World(1000.0, 1000.0).add_all([rock(100.0, 120.0, 30.0), rock(500.0, 500.0)])
-    other = other.add(shot(300.0, 300.0))
-    rows = diff_rows(one, other, 60, 4)
-    assert text(rows).rstrip("\n") == "   #1 y 100 | 120\n   #3 bullet only in the new"
-    assert "no difference" in diff_rows(one, one, 60, 4)[0].text
-
-
-def test_what_does_not_fit_of_a_difference_is_counted(past: Timeline) -> None:
-    a, b = past.at(2.0), past.at(11.0)
-    rows = diff_rows(a, b, 60, 5)
-    assert rows[4].text.strip() == f"and {len(diff(a, b)) - 4} more"
-
-
-def test_what_changed_a_field_and_when(past: Timeline) -> None:
-    timeline = struck()
-    changed = last_change(timeline, 2, "velocity")
-    assert (
-        text(change_rows(changed, timeline.world, 60))
-        == """\
-asteroid #2: velocity from (50, 0) to (-50, 0)
-at 1.000 s: bounced off asteroid #3"""
-    )
-    variable = last_change(past, 1, "program.n")
-    assert variable is not None
-    (head, cause) = change_rows(variable, past.world, 60)
-    assert head.text.startswith("ship 'red': n from 29 to 30")
-    assert head.place == cause.place == variable.state.place
-    assert change_rows(None, past.world, 20)[0].text == "it never changed".ljust(20)

@@ -21,11 +21,10 @@ from fasteroids.tui.launching import (
     SceneGame,
     launched,
     new_seed,
-    timeline_of,
     with_seed,
 )
 from fasteroids.tui.recent import brief, briefs
-from fasteroids.tui.session import Session, beat, bookmarked, take_over
+from fasteroids.tui.session import Session, beat, bookmarked, look_at, take_over
 from fasteroids.units import ModelError
 from tests.unit.tui.arcades import Library
 
@@ -146,6 +145,21 @@ def test_what_cannot_be_had_is_a_sentence(
         launched(wanted, Library())
 
 
+def test_the_recording_of_another_future_has_the_bookmarks_of_its_past(tmp_path: Path) -> None:
+    session = launched(NewGame("waves", (None,), 7), Library()).session
+    session = bookmarked(beat(session, 0.2), "early")
+    session = bookmarked(beat(beat(session, 0.2), 0.2), "late")
+    keeper = Keeper(tmp_path, "another", pytest.fail)
+    keeper.follow(beat(take_over(look_at(session, 0.4)), 0.1))
+    keeper.close()
+    assert keeper.path is not None
+    again = launched(Recorded(keeper.path), Library()).session.timeline
+    early = session.timeline.bookmarks["early"].state
+    assert {name: mark.state.place for name, mark in again.bookmarks.items()} == {
+        "early": early.place
+    }
+
+
 # Recordings in short.
 
 
@@ -178,15 +192,6 @@ def test_no_file_is_too_odd_to_be_listed(tmp_path: Path, data: bytes) -> None:
     assert found.seed is None
     assert brief(tmp_path / "gone.fast.jsonl").title.startswith("cannot be read: ")
     assert brief(tmp_path).title
-
-
-def test_a_timeline_keeps_to_its_budget(tmp_path: Path) -> None:
-    live, place = kept(tmp_path, NewGame("waves", (None,), 7))
-    recording = read(place.read_bytes())
-    small = timeline_of(recording, budget=20_000)
-    assert small.states < timeline_of(recording).states
-    assert small.world == live.timeline.world
-    assert small.at(1.0) == live.timeline.at(1.0)
 
 
 def test_what_a_human_did_is_an_input_of_the_recording(tmp_path: Path) -> None:

@@ -23,10 +23,9 @@ from fasteroids.history import (
     outwardly,
     tick_at,
 )
-from fasteroids.lang import Diagnostic
 from fasteroids.lang.report import cells
-from fasteroids.tui.breakpoints import AtLine, Breakpoint, When, last_write, next_break
-from fasteroids.tui.edits import Edited, edited, editing
+from fasteroids.tui.breakpoints import AtLine, Breakpoint, When, next_break
+from fasteroids.tui.edits import Edited, editing
 from fasteroids.tui.program_pane import machine_of, program_rows
 from fasteroids.tui.rows import Row, Style
 from tests.unit.history.pasts import PILOT, fought
@@ -296,14 +295,20 @@ def test_a_search_is_bounded_and_says_how_far_it_came(past: Timeline) -> None:
 # Another program from here on.
 
 
-def other(outcome: Edited | tuple[Diagnostic, ...]) -> Edited:
-    assert isinstance(outcome, Edited)
-    return outcome
+def edited(timeline: Timeline, ship: int, text: str, at: float) -> Edited:
+    """All of it at once."""
+    work = editing(timeline, ship, machine(text), at)
+    while True:
+        try:
+            next(work)
+        except StopIteration as stop:
+            result: Edited = stop.value
+            return result
 
 
 def test_an_edited_program_runs_from_here_and_the_first_difference_is_shown() -> None:
     timeline = fought()
-    outcome = other(edited(timeline, 1, PILOT.replace("turn 0.5", "turn 0.6"), 0.0))
+    outcome = edited(timeline, 1, PILOT.replace("turn 0.5", "turn 0.6"), 0.0)
     assert outcome.old == "main"
     assert outcome.timeline.name == "2"
     assert outcome.timeline.world.clock == timeline.world.clock
@@ -317,7 +322,7 @@ def test_an_edited_program_runs_from_here_and_the_first_difference_is_shown() ->
 def test_the_same_program_from_its_beginning_does_the_same() -> None:
     timeline = fought()
     for _ in range(2):
-        outcome = other(edited(timeline, 2, "while (true) { fire; skip; turn 0.4; } // same", 0.0))
+        outcome = edited(timeline, 2, "while (true) { fire; skip; turn 0.4; } // same", 0.0)
         assert outcome.parted is None
         assert (outcome.given, outcome.left_out) == (1, ())
         assert (
@@ -335,7 +340,7 @@ def test_inputs_of_others_are_given_again_at_their_places(model: str) -> None:
     for i in range(8):
         timeline = timeline.evolve(0.15).act(2, Turn(0.1 * i)).evolve(0.1)
     timeline = timeline.add(rock(500.0, 500.0)).evolve(0.3).remove(3).act(2, Fire()).evolve(1.0)
-    outcome = other(edited(timeline, 1, "print 1; skip;", 0.0))
+    outcome = edited(timeline, 1, "print 1; skip;", 0.0)
     assert outcome.given == 11  # thrust came before
     assert outcome.left_out == ()
     assert outcome.parted is None
@@ -349,7 +354,7 @@ def test_what_makes_no_sense_any_more_is_left_out_and_why() -> None:
     )
     timeline = begin(world).evolve(0.5).act(1, Turn(1.0))  # of the ship whose program is edited
     timeline = timeline.evolve(3.0).act(2, Fire()).evolve(0.1)  # blue will be dead by then
-    outcome = other(edited(timeline, 1, "fire;", 0.0))
+    outcome = edited(timeline, 1, "fire;", 0.0)
     assert 2 not in outcome.timeline.world
     reasons = [each.reason for each in outcome.left_out]
     assert reasons == [
@@ -363,7 +368,7 @@ def test_an_entity_that_an_input_brings_again_keeps_its_inputs_under_its_new_id(
     timeline = begin(world_of(ship(100.0, 100.0, program=machine("skip;"))))
     timeline = timeline.evolve(1.0).add(ship(700.0, 700.0, name="late")).act(2, Turn(1.0))
     timeline = timeline.evolve(1.0).remove(2).evolve(1.0)
-    outcome = other(edited(timeline, 1, "fire;", 0.0))  # its bullet has id 2
+    outcome = edited(timeline, 1, "fire;", 0.0)  # its bullet has id 2
     assert outcome.left_out == ()
     assert outcome.given == 3
     late = outcome.timeline.at(1.5).ships[-1]
@@ -374,27 +379,14 @@ def test_an_entity_that_an_input_brings_again_keeps_its_inputs_under_its_new_id(
 def test_what_came_to_be_later_may_be_another_one() -> None:
     timeline = begin(world_of(ship(100.0, 100.0, program=machine("skip; fire;"))))
     timeline = timeline.evolve(1.0).remove(2).evolve(1.0)
-    outcome = other(edited(timeline, 1, "skip; fire;", 0.0))
+    outcome = edited(timeline, 1, "skip; fire;", 0.0)
     (left,) = outcome.left_out
     assert left.reason == "#2 came to be after the lines part, so it may be another one"
 
 
-def test_a_text_with_faults_gives_its_diagnostics_and_no_branch(past: Timeline) -> None:
-    found = edited(past, 1, "x := 3;", 1.0)
-    assert isinstance(found, tuple)
-    assert [each.code for each in found] == ["FA101"]
-    assert set(past.lines) == {"main"}
-
-
-def test_it_can_be_run_only_up_to_a_time(past: Timeline) -> None:
-    outcome = other(edited(past, 1, "skip;", 1.0, until=2.0, name="try"))
-    assert outcome.timeline.name == "try"
-    assert outcome.timeline.world.time == 2.0
-
-
 def test_an_edit_in_a_branch_may_lie_before_it() -> None:
     timeline = fought().branch(6.0, "left").act(2, Turn(1.0)).evolve(3.0)
-    outcome = other(edited(timeline, 1, PILOT.replace("turn 0.5", "turn 0.6"), 2.0))
+    outcome = edited(timeline, 1, PILOT.replace("turn 0.5", "turn 0.6"), 2.0)
     assert outcome.old == "left"
     assert outcome.timeline.line.parent == "main"
     assert outcome.timeline.world.clock == timeline.world.clock
@@ -411,27 +403,3 @@ def test_the_future_comes_in_pieces_and_can_be_given_up() -> None:
     assert next(work) == 3.0
     work.close()
     assert set(timeline.lines) == {"main"}
-
-
-# Who set a variable.
-
-
-def test_the_last_write_of_a_variable_is_the_statement_that_set_it(past: Timeline) -> None:
-    point: Point | None = after(past, at_tick(past, 1, 1.4), 11)
-    assert point is not None
-    values: list[object] = []
-    while (write := last_write(past, "n", point)) is not None:
-        assert write.statement.line == 4
-        following = next_step(past, write)
-        assert following is not None
-        assert following.variables["n"] == point.variables["n"]
-        values.append(following.variables["n"])
-        point = write
-    assert values == [6.0, 5.0, 4.0, 3.0, 2.0, 1.0]
-
-
-def test_a_variable_that_was_never_set_has_no_write(past: Timeline) -> None:
-    timeline = alone("double never; while (true) { skip; }")
-    assert last_write(timeline, "never", at_tick(timeline, 1, 1.0)) is None
-    with pytest.raises(ModelError, match="the program has it, n; got 'm'"):
-        last_write(past, "m", at_tick(past, 1, 1.0))

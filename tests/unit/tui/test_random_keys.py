@@ -47,6 +47,10 @@ OTHERS = (
     "pagedown",
     "f1",
     "escape",
+    "ctrl+c",
+    "ctrl+z",
+    "ignore",
+    "é",
 )
 TEXTS = (
     "",

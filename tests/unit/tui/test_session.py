@@ -10,7 +10,9 @@ from fasteroids import Fire, Thrust, ThrustOff, Turn, evolve_until, load_scene
 from fasteroids.actions import Action
 from fasteroids.history import MAIN, Told
 from fasteroids.tui import session as s
+from fasteroids.tui.commanding import commanded
 from fasteroids.tui.game import new_game, ruled
+from fasteroids.tui.keys import Command
 from fasteroids.tui.session import Session
 
 ACTIONS: list[Action] = [Fire(), Turn(0.3), Turn(-0.3), Thrust(), ThrustOff()]
@@ -250,3 +252,15 @@ def test_bookmarks_get_numbers_or_names() -> None:
     session = s.bookmarked(s.bookmarked(played(fresh(), 1.0)), "here")
     assert sorted(session.timeline.bookmarks) == ["1", "here"]
     assert s.bookmarked(session).said == "bookmark 2"
+
+
+def test_bookmarks_of_another_future_are_passed_over() -> None:
+    session = played(s.bookmarked(played(fresh(), 1.0), "early"), 2.0)
+    session = s.take_over(s.look_at(s.bookmarked(session, "late"), 2.0))
+    session = s.look_at(played(session, 0.5), 0.5)
+    early = commanded(session, Command.NEXT_BOOKMARK)
+    assert early is not None
+    assert early.said == "bookmark early"
+    none = commanded(early, Command.NEXT_BOOKMARK)
+    assert none is not None
+    assert none.said == "no later bookmark"
