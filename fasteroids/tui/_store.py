@@ -111,9 +111,8 @@ class Store:
             return EMPTY
         table = table_of(data.decode("utf-8", "replace"))
         if table.damaged:
-            self._tell(
-                f"the file of scores is damaged; {len(table.rows)} could be read: {self._scores}"
-            )
+            read = len(table.rows) or "none"
+            self._tell(f"the file of scores is damaged; {read} could be read: {self._scores}")
         return table
 
     def _put_aside(self) -> None:

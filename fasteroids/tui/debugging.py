@@ -50,7 +50,7 @@ __all__ = [
     "toggled",
 ]
 
-_NOWHERE: Final = "no ship here runs a program: select one that does"
+_NOWHERE: Final = "no ship here runs a program"
 _BEGINS: Final = "the program begins here"
 _ENDED: Final = "the program has come to its end"
 

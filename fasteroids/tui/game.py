@@ -187,12 +187,16 @@ def points(e: Entity) -> int:
     return 0
 
 
+def _won(name: str) -> str:
+    return f"{name} win" if name == "you" else f"{name} wins"
+
+
 def _ended(game: Game, time: float) -> Game:
     alive = [
         p for p in game.players if p.ship is not None or (game.mode == "waves" and p.lives > 0)
     ]
     if game.mode == "duel" and len(alive) < 2:
-        return evolve(game, ended=f"{alive[0].name} wins" if alive else "a draw", since=time)
+        return evolve(game, ended=_won(alive[0].name) if alive else "a draw", since=time)
     if game.mode != "duel" and game.players and not alive:
         return evolve(game, ended="game over", since=time)
     return game

@@ -32,9 +32,10 @@ SUFFIX: Final = ".fast.jsonl"
 
 
 def recordings(folder: Path) -> list[Path]:
-    """The recordings in a folder, the newest first."""
+    """The recordings in a folder, the newest first. What is no file, as a pipe that nobody writes to, is none."""
     with suppress(OSError):
-        found = [each for each in folder.iterdir() if each.name.endswith((SUFFIX, f"{SUFFIX}.gz"))]
+        names = (SUFFIX, f"{SUFFIX}.gz")
+        found = [each for each in folder.iterdir() if each.name.endswith(names) and each.is_file()]
         return sorted(found, key=lambda each: each.name, reverse=True)
     return []
 
@@ -109,4 +110,7 @@ class Keeper:
 
     def _fail(self, error: Exception) -> None:
         self.working = False
-        self._tell(f"this game is not recorded: {error}")
+        reason = str(error)
+        if isinstance(error, OSError) and error.strerror:
+            reason = f"{error.filename or self._folder}: {error.strerror}"
+        self._tell(f"this game is not recorded: {reason}")

@@ -262,7 +262,7 @@ class Play(Screen[None], inherit_bindings=False):
             self.become(session)
             self._choose()
         elif source is None:
-            self.become(evolve(session, said="no ship here runs a program: select one that does"))
+            self.become(evolve(session, said="no ship here runs a program"))
         elif command is Command.EDIT:
             self.become(session)
             editor = Editor(session, *source, timer=self._ticking)

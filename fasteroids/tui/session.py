@@ -37,7 +37,7 @@ from fasteroids.moments import advanced
 from fasteroids.state import World
 from fasteroids.tui.breakpoints import Breakpoint
 from fasteroids.tui.game import Game, granted, judged, ruled, wishes
-from fasteroids.tui.verdicts import DeathTold, death_of
+from fasteroids.tui.verdicts import DeathTold, death_of, fate_of
 from fasteroids.units import ModelError
 
 __all__ = [
@@ -409,4 +409,4 @@ def doomed(session: Session, ship: int) -> Session:
     except ModelError as error:
         return evolve(session, said=str(error))
     session = look(session, fate.inevitable)
-    return evolve(session, selected=ship, fate=fate, said=str(fate.death).splitlines()[0])
+    return evolve(session, selected=ship, fate=fate, said=fate_of(fate.death))

@@ -58,7 +58,7 @@ class Start(Screen[None], inherit_bindings=False):
 
     BINDINGS: ClassVar[list[BindingType]] = []
     DEFAULT_CSS = """
-    Start { align: center middle; background: #0b0e14; }
+    Start { align: center middle; overflow: hidden; background: #0b0e14; }
     Start > Rows { height: auto; }
     Start > #menu { height: 9; }
     """

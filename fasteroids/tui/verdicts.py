@@ -44,6 +44,7 @@ __all__ = [
     "death_of",
     "death_rows",
     "difference_rows",
+    "fate_of",
 ]
 
 _PIECES: Final = 24
@@ -102,6 +103,17 @@ def _at(f: Flight, moment: Moment) -> Point:
     return located(f, moment).position
 
 
+def fate_of(death: Death) -> str:
+    """Who died, when, and of what, without a full stop."""
+    others = " and ".join(describe(course.entity) for course in death.courses[1:])
+    cause = {
+        "contact": f"in a contact with {others}",
+        "wall": "at its second wall",
+        "shot": f"of a shot, with {others}",
+    }[death.how]
+    return f"{describe(death.entity)} died at {clock(death.time)} s {cause}"
+
+
 def death_rows(told: DeathTold, width: int) -> tuple[Row, ...]:
     """Why it died, in as many rows of `width` cells as that takes; each leads to the moment it tells of."""
     return tuple(_death(told, width))
@@ -109,14 +121,7 @@ def death_rows(told: DeathTold, width: int) -> tuple[Row, ...]:
 
 def _death(told: DeathTold, width: int) -> Iterator[Row]:
     death, before = told.death, told.before
-    others = " and ".join(describe(course.entity) for course in death.courses[1:])
-    cause = {
-        "contact": f"in a contact with {others}",
-        "wall": "at its second wall",
-        "shot": f"of a shot, with {others}",
-    }[death.how]
-    sentence = f"{describe(death.entity)} died at {clock(death.time)} s {cause}."
-    yield from paragraph(width, sentence, Style.BAD, place=death.place)
+    yield from paragraph(width, f"{fate_of(death)}.", Style.BAD, place=death.place)
     left = between(death.inevitable.moment, death.place.moment)
     unchanged = "neither flight changed" if len(death.courses) == 2 else "its flight did not change"
     since = clock(death.inevitable.time)
@@ -135,7 +140,7 @@ def _death(told: DeathTold, width: int) -> Iterator[Row]:
 def _course(course: Course, world: World) -> str:
     name = describe(course.entity)
     if course.began is None:
-        return f"{name} flew so since the past begins."
+        return f"{name} flew so from the beginning of the past on."
     cause = happened(course.began.what, id_of(course.entity), world)
     return f"{name} flew so since {clock(course.since.time)} s: {cause}."
 

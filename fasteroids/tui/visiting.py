@@ -80,8 +80,11 @@ def ship_meant(timeline: Timeline, who: str) -> int:
     near = get_close_matches(who, known, n=1)
     hint = f" (did you mean {near[0]!r}?)" if near else ""
     there = ", ".join(dict.fromkeys(known))
+    are = "are" if "," in there else "is"
     raise ModelError(
-        f"there is no ship {who!r}{hint}; there are {there}" if known else "there is no ship in it"
+        f"there is no ship {who!r}{hint}; there {are} {there}"
+        if known
+        else "there is no ship in it"
     )
 
 

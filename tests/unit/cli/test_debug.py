@@ -138,6 +138,7 @@ def test_a_recording_of_the_list_is_meant_by_its_number(
         (["{recording}", "--at", "9"], "this recording goes from 0.0 s to 5.0 s; there is no 9.0 s in it"),
         (["{recording}", "--ship", "bleu"], "there is no ship 'bleu' (did you mean 'blue'?); there are red, blue"),
         (["{scene}", "--ship", "7"], "there is no ship '7'"),
+        (["pilot", "--ship", "nobody"], "there is no ship 'nobody'; there is pilot"),
         (["{broken}"], "cannot be read"),
         (["{recording}", "--seed", "3"], "--bots, --seed and --model are for scenes"),
         (["-"], "standard input has the keys"),

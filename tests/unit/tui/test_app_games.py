@@ -102,7 +102,7 @@ def test_one_key_tells_why_and_the_game_is_taken_over_from_there(tmp_path: Path)
         await typed(pilot, "y")
         play = live(app)
         assert not play.session.live
-        assert play.session.said == "ship 'you' died at 0.5 s in a contact with asteroid #2"
+        assert play.session.said == "ship 'you' died at 0.500 s in a contact with asteroid #2"
         assert play.session.fate is not None
         await typed(pilot, "t", "up")
         flown(play, 0.3)

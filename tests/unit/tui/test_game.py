@@ -157,6 +157,14 @@ def test_a_game_of_waves_ends_with_the_last_life() -> None:
     assert wishes(game, start.world) is None
 
 
+def test_you_win_and_anybody_else_wins() -> None:
+    for names, ended in ((["you", "b"], "you win"), (["yours", "b"], "yours wins")):
+        game, world = new_game("duel", seed=1, names=names, programs=[None, None])
+        state = begin(world).remove(2).last
+        told = Lived(state.place, evolve(state.what, died=(2,)), state.world)  # type: ignore[misc]
+        assert judged(game, world, told).ended == ended
+
+
 def test_the_last_ship_of_a_duel_wins_and_two_deaths_are_a_draw() -> None:
     game, world = new_game("duel", seed=1, names=["a", "b"], programs=[None, None])
     dead = evolve(game, players=(evolve(game.players[0]), evolve(game.players[1], ship=None)))

@@ -177,7 +177,7 @@ def test_why_a_ship_died() -> None:
 ship 'red' died at 6.200 s in a contact with asteroid #2.
 From 1.000 s on it was inevitable: neither flight changed in the last
   5.200 s.
-ship 'red' flew so since the past begins.
+ship 'red' flew so from the beginning of the past on.
 asteroid #2 flew so since 1.000 s: bounced off asteroid #3.
 The last deed of ship 'red': fire at 0.600 s, line 1 of its program."""
     )

@@ -202,3 +202,16 @@ def test_what_a_human_did_is_an_input_of_the_recording(tmp_path: Path) -> None:
     assert given == told
     assert Act(1, Fire()) in given
     assert io.BytesIO(place.read_bytes()).readline().startswith(b'{"type":"header"')
+
+
+def test_what_is_no_file_is_no_recording_and_what_cannot_be_written_says_why_in_words(
+    tmp_path: Path,
+) -> None:
+    _, path = kept(tmp_path, NewGame("duel", (None, "shooter"), 7), seconds=0.5)
+    (tmp_path / "20000101-000000.fast.jsonl").mkdir()
+    assert [each.place for each in briefs(tmp_path)] == [path]
+
+    told: list[str] = []
+    begun = launched(NewGame("duel", (None, "shooter"), 7), Library())
+    Keeper(path / "below", begun.title, told.append).follow(begun.session)
+    assert told == [f"this game is not recorded: {path / 'below'}: Not a directory"]

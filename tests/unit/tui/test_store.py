@@ -106,6 +106,16 @@ def test_a_damaged_file_is_told_of_kept_aside_and_its_rows_are_saved(
     assert len(told) == 1
 
 
+def test_a_file_of_which_nothing_can_be_read_is_told_of_in_words(
+    store: Store, told: list[str], tmp_path: Path
+) -> None:
+    place = tmp_path / "data" / "scores.json"
+    place.parent.mkdir()
+    place.write_bytes(b"rubbish")
+    assert store.scores().rows == ()
+    assert told == [f"the file of scores is damaged; none could be read: {place}"]
+
+
 def test_an_older_file_kept_aside_stays(store: Store, tmp_path: Path) -> None:
     place = tmp_path / "data" / "scores.json"
     place.parent.mkdir()
