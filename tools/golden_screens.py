@@ -43,7 +43,6 @@ y = 100
 radius = 10
 mass = 5e15
 program-text = '''
-// Fires five times, then looks around.
 double n;
 while (true) {
   n := n + 1;

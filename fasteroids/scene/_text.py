@@ -22,6 +22,7 @@ __all__ = [
     "MOST_BITS",
     "Path",
     "Problem",
+    "ProblemsError",
     "SceneError",
     "lines_of",
     "parsed",
@@ -62,8 +63,8 @@ class Problem:
         return f"{start}{place}: {self.message}" if place else f"{start}{self.message}"
 
 
-class SceneError(ModelError):
-    """A scene file that cannot be read, with everything that is wrong with it; `str` gives a line for each."""
+class ProblemsError(ModelError):
+    """A text that cannot be used, with everything that is wrong with it; `str` gives a line for each."""
 
     problems: tuple[Problem, ...]
 
@@ -74,6 +75,10 @@ class SceneError(ModelError):
     def __str__(self) -> str:
         """One line per problem."""
         return "\n".join(map(str, self.problems))
+
+
+class SceneError(ProblemsError):
+    """A scene file that cannot be read."""
 
 
 def shown(value: object) -> str:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import asyncio
+import os
 import signal
-from contextlib import ExitStack, suppress
+from contextlib import ExitStack
 from functools import partial
 from pathlib import Path
+from threading import current_thread, main_thread
 from typing import ClassVar
 
 from attrs import evolve
@@ -96,10 +98,11 @@ class Arcade(App[int], inherit_bindings=False):
         """The first screens."""
         self._collector.begin()
         self.set_interval(PERIOD, self._collector.tend)
-        for name in _SIGNALS:
-            with suppress(AttributeError, NotImplementedError, RuntimeError, ValueError):
+        # Event loops handle signals on POSIX alone, and there in the first thread alone.
+        if os.name == "posix" and current_thread() is main_thread():
+            loop = asyncio.get_running_loop()
+            for name in _SIGNALS:
                 number = getattr(signal, name)
-                loop = asyncio.get_running_loop()
                 loop.add_signal_handler(number, self.exit, 128 + number)
         if self._notices is not None:
             self._notices.shown_by(self.tell)

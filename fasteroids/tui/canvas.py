@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import codecs
 import re
+from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from functools import lru_cache
 from math import ceil, cos, floor, inf, sin, sqrt, tau
@@ -37,7 +38,7 @@ _LARGEST: Final = 48.0  # dots; larger discs are drawn as polygons
 _RUN: Final = re.compile(rb"([^\0])(?:\0*\1)*", re.DOTALL)
 
 
-class Canvas:
+class Canvas(ABC):
     """A surface of `columns` x `rows` cells, `width` x `height` dots. Mutable: made, drawn on, read once."""
 
     across: ClassVar[int] = 1
@@ -150,17 +151,17 @@ class Canvas:
 
     # What surfaces differ in.
 
+    @abstractmethod
     def _point(self, x: int, y: int, colour: int, sign: str) -> None:
         """The dot (x, y), which is on the surface."""
-        raise NotImplementedError
 
+    @abstractmethod
     def _stamp(self, x: float, y: float, radius: float, sparse: bool) -> Stamp:
         """The outline of a disc with its centre at (x, y) of a cell."""
-        raise NotImplementedError
 
+    @abstractmethod
     def _mark(self, at: int, mask: int) -> None:
         """Draw part of a stamp into a cell."""
-        raise NotImplementedError
 
     def _press(
         self, column: int, row: int, reach_x: int, reach_y: int, stamp: Stamp, colour: int

@@ -19,7 +19,15 @@ from typing import Any, Final
 from pyrsistent import pmap
 
 from fasteroids.scene._table import nearest
-from fasteroids.scene._text import Problem, SceneError, lines_of, parsed, shown, written
+from fasteroids.scene._text import (
+    Problem,
+    ProblemsError,
+    SceneError,
+    lines_of,
+    parsed,
+    shown,
+    written,
+)
 from fasteroids.tui.keys._commands import Command
 from fasteroids.tui.keys._keymap import Keymap, preset
 from fasteroids.tui.keys._names import key_of, known_keys, spoken
@@ -32,18 +40,8 @@ __all__ = ["KeymapError", "keymap_in", "keymap_of", "text_of"]
 _COMMANDS: Final = {command.value: command for command in Command}
 
 
-class KeymapError(ModelError):
-    """A config file whose keys cannot be used, with everything that is wrong; `str` gives a line for each."""
-
-    problems: tuple[Problem, ...]
-
-    def __init__(self, problems: Iterable[Problem]) -> None:
-        self.problems = tuple(problems)
-        super().__init__(self.problems)
-
-    def __str__(self) -> str:
-        """One line per problem."""
-        return "\n".join(map(str, self.problems))
+class KeymapError(ProblemsError):
+    """A config file whose keys cannot be used."""
 
 
 def keymap_of(text: str) -> Keymap:

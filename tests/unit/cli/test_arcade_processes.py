@@ -216,6 +216,8 @@ def test_what_cannot_be_had_is_told_before_the_screen_changes(
     assert b"1049h" not in at.seen
 
 
+# A program of the system, which no package of Python brings: the script of CI installs it where it may. The other tests
+# here play in a pseudo-terminal, which every system has.
 @pytest.mark.skipif(shutil.which("tmux") is None, reason="tmux is not installed")
 def test_a_game_in_tmux(tmp_path: Path) -> None:
     """A real terminal: keys sent, the screen captured, everything as before at the end."""

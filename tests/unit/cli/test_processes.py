@@ -146,22 +146,22 @@ def test_closed_standard_input() -> None:
     assert (run.returncode, run.stderr) == (2, "Error: standard input is closed\n")
 
 
-# A disk cannot be filled on purpose without rights. Linux has a device that plays a full one, and there is no other way
-# to have the system itself say so; `test_kept` plays one everywhere.
-@pytest.mark.skipif(
-    not Path("/dev/full").exists(),
-    reason="this system has no /dev/full, the one full disk to be had",
-)
-@pytest.mark.parametrize("option", [[], ["--events", "/dev/full"], ["--final", "/dev/full"]])
-def test_full_disk(spawn: Spawn, busy: str, option: list[str]) -> None:
-    with Path("/dev/full").open("wb") as full:
-        settings = {} if option else {"stdout": full}
-        process = spawn("run", busy, "--for", "1", *option, **settings)
-        _, said = process.communicate(timeout=PATIENCE)
-    assert process.returncode == 2
-    assert said.startswith(b"Error: cannot write ")
-    assert said.endswith(b"No space left on device\n")
-    assert said.count(b"\n") == 1
+@pytest.mark.parametrize("option", ["", "--events", "--final"])
+def test_full_disk(busy: str, tmp_path: Path, option: str) -> None:
+    """The largest size of a file, which is nothing, plays the disk."""
+    out = tmp_path / "out"
+    words = [option, str(out)] if option else []
+    with (tmp_path / "told").open("wb") as told:
+        run = subprocess.run(
+            ["/bin/sh", "-c", 'trap "" XFSZ; ulimit -f 0; exec "$0" "$@"', sys.executable,
+             "-m", "fasteroids", "run", busy, "--for", "1", *words],
+            stdout=subprocess.PIPE if option else told, stderr=subprocess.PIPE,
+            check=False, timeout=PATIENCE, env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"},
+        )  # fmt: skip
+    assert run.returncode == 2
+    assert run.stderr.startswith(b"Error: cannot write ")
+    assert run.stderr.endswith(b"File too large\n")
+    assert run.stderr.count(b"\n") == 1
 
 
 def test_names_in_any_locale(spawn: Spawn, tmp_path: Path) -> None:

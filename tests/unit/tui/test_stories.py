@@ -6,6 +6,7 @@ import random
 from pathlib import Path
 
 import pytest
+from golden_screens import GUNS
 from textual.pilot import Pilot
 from textual.widgets import Input, TextArea
 
@@ -25,34 +26,6 @@ from fasteroids.tui.visiting import visited
 from tests.unit.tui.arcades import arcade, chosen, flown, live, run, settled, text, typed
 
 WIDE = (120, 36)
-
-GUNS = """
-[world]
-width = 400
-height = 200
-seed = 4
-[[ship]]
-name = "west"
-x = 60
-y = 100
-radius = 10
-mass = 5e15
-program-text = '''
-double n;
-while (true) {
-  n := n + 1;
-  print n;
-  if (n < 6) { fire; } else { turn 0.3; }
-  skip;
-}
-'''
-[[ship]]
-name = "east"
-x = 340
-y = 100
-radius = 10
-mass = 5e15
-"""
 
 
 def guns(at: float | None = None) -> Launched:

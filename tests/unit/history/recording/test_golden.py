@@ -20,8 +20,11 @@ NAMES = [path.stem for path in FILES]
 def golden(request: pytest.FixtureRequest) -> Recording:
     path: Path = request.param
     recording = read(path.read_bytes())
-    if not verified(recording).same_libm:
-        pytest.skip("the golden recordings were made with another library of sines")
+    found = verified(recording)
+    # Libraries of mathematics differ in the last bits of sines, so a game in which a ship turns has the same bits on
+    # one of them alone (law L11). A game that comes out the same all the same is held to that.
+    if found.difference is not None and not found.same_libm:
+        pytest.skip("played with another library of sines, which this game shows")
     return recording
 
 
